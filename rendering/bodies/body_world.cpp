@@ -138,13 +138,16 @@ void BodyWorld::find_contacts_with(std::uint16_t a, std::uint16_t b, double marg
   }
   const BodyObstacle& obstacle = obstacles_[a - body_count_];
   const RigidPose& X_WO = obstacle.X_WO;
-  if (!obstacle.mesh.triangles.empty()) {
-    seen_from_mesh_.place(starts_[b].body.hull, seen_from(X_WO, bodies_[b].pose()));
-    for (const Manifold& manifold :
-         mesh_contact_.find(obstacle.mesh, obstacle.sides, seen_from_mesh_, margin_m)) {
+  const bool is_mesh = !obstacle.mesh.triangles.empty();
+  if (is_mesh || obstacle.field.is_there()) {
+    seen_.place(starts_[b].body.hull, seen_from(X_WO, bodies_[b].pose()));
+    const auto manifolds = is_mesh
+                               ? mesh_contact_.find(obstacle.mesh, obstacle.sides, seen_, margin_m)
+                               : field_contact_.find(obstacle.field, seen_, margin_m);
+    for (const Manifold& manifold : manifolds) {
       add_contact(a, b, manifold, X_WO);
     }
-    left_out_ = left_out_ || mesh_contact_.has_left_out();
+    left_out_ = left_out_ || (is_mesh && mesh_contact_.has_left_out());
   } else if (obstacle.hull.vertices_O.empty()) {
     add_contact(a, b,
                 manifold_of(X_WO.point(obstacle.plane_O.translation),

@@ -8,6 +8,7 @@
 #include <span>
 
 #include "rendering/bodies/body_contact.h"
+#include "rendering/bodies/field_contact.h"
 #include "rendering/bodies/finger_grip.h"
 #include "rendering/bodies/mesh_contact.h"
 #include "rendering/bodies/placed_hull.h"
@@ -28,12 +29,15 @@ struct BodyStart {
   RigidPose X_WO;
 };
 
-// An object that bodies meet and cannot push: a mesh, a hull, or a half space below a plane.
+// An object that bodies meet and cannot push: a mesh, a field, a hull, or a half space below a
+// plane.
 struct BodyObstacle {
   // The mesh and the sides of it that stop bodies; frame O.
   MeshView mesh;
   Sides sides = Sides::one;
-  // The hull, where there is no mesh. Without vertices it is the half space y <= 0 of a frame whose
+  // The surface by its distance, where there is no mesh.
+  ObstacleField field;
+  // The hull, where there is neither. Without vertices it is the half space y <= 0 of a frame whose
   // pose in O is given.
   ConvexHull hull;
   RigidPose plane_O;
@@ -116,7 +120,9 @@ class BodyWorld {
   std::array<Shift, kMostSolids> shifts_;
   std::array<Vec6, kMaxBodies> moved_;
   MeshContact mesh_contact_;
-  PlacedHull seen_from_mesh_;
+  FieldContact field_contact_;
+  // A body, seen from the obstacle.
+  PlacedHull seen_;
   FingerGrips grips_;
 };
 

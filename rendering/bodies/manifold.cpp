@@ -48,6 +48,15 @@ NearestFace nearest_face(const PlacedHull& hull, const Vec3& direction_W) {
 // hull without faces.
 Polygon facing(const PlacedHull& hull, const Vec3& direction_W) {
   Polygon polygon;
+  if (hull.hull().circles != nullptr) {
+    // A side that rolls has one line at the bottom.
+    const PlacedHull::RimPoints rim = hull.rim_points(-direction_W);
+    if (rim.is_along_side) {
+      polygon.add(rim.points[0]);
+      polygon.add(rim.points[hull.hull().circles->radii_m[0] > 0.0 ? 4 : 1]);
+      return polygon;
+    }
+  }
   if (hull.hull().faces.empty()) {
     std::ranges::for_each(hull.vertices_W(), [&](const Vec3& vertex) { polygon.add(vertex); });
     return polygon;
@@ -142,7 +151,10 @@ Manifold manifold_of(const Vec3& point_W, const Vec3& normal_W, const PlacedHull
                      double margin_m) {
   PointChoice choice(normal_W);
   const double radius = b.hull().radius_m;
-  for (const Vec3& vertex : b.vertices_W()) {
+  const PlacedHull::RimPoints rim =
+      b.hull().circles != nullptr ? b.rim_points(normal_W) : PlacedHull::RimPoints{};
+  const auto vertices = rim.count > 0 ? std::span(rim.points).first(rim.count) : b.vertices_W();
+  for (const Vec3& vertex : vertices) {
     const double separation = (vertex - point_W).dot(normal_W) - radius;
     if (separation <= margin_m) {
       choice.add(

@@ -62,26 +62,43 @@ std::span<const Manifold> MeshContact::find(const MeshView& mesh, Sides sides,
 }
 
 void MeshContact::add_vertices(const PlacedHull& hull_O, double margin_m) {
-  const double radius = hull_O.hull().radius_m;
-  std::array<std::uint16_t, kMaxNearTriangles> over{};
-  for (const Vec3& vertex : hull_O.vertices_W()) {
-    std::size_t count = 0;
-    double least_depth = kMaxToolRadius_m;
-    for (std::uint16_t t = 0; t < near_.all().size(); ++t) {
-      const NearTriangle& triangle = near_.all()[t];
-      const double separation = (vertex - triangle.corners_O[0]).dot(triangle.normal_O) - radius;
-      if (triangle.stops && separation <= margin_m && is_over(triangle, vertex)) {
-        over[count++] = t;
-        least_depth = std::min(least_depth, std::max(-separation, 0.0));
-      }
+  if (hull_O.hull().circles == nullptr) {
+    std::ranges::for_each(hull_O.vertices_W(), [&](const Vec3& vertex) {
+      add_vertex(vertex, hull_O.hull().radius_m, margin_m);
+    });
+    return;
+  }
+  // The points of a round solid that touch depend on the triangle; most of a mesh near by has few
+  // normals.
+  Vec3 last = Vec3::Zero();
+  for (const NearTriangle& triangle : near_.all()) {
+    if (triangle.stops && triangle.normal_O != last) {
+      last = triangle.normal_O;
+      const PlacedHull::RimPoints rim = hull_O.rim_points(last);
+      std::ranges::for_each(std::span(rim.points).first(rim.count),
+                            [&](const Vec3& point) { add_vertex(point, 0.0, margin_m); });
     }
-    for (const std::uint16_t t : std::span(over).first(count)) {
-      const Vec3& normal = near_.all()[t].normal_O;
-      const double separation = (vertex - near_.all()[t].corners_O[0]).dot(normal) - radius;
-      if (-separation <= std::max(kDeep_m, kDeeper * least_depth)) {
-        patches_.add(normal, {.point_W = vertex - (radius + 0.5 * separation) * normal,
-                              .separation_m = separation});
-      }
+  }
+}
+
+void MeshContact::add_vertex(const Vec3& vertex, double radius_m, double margin_m) {
+  std::array<std::uint16_t, kMaxNearTriangles> over{};
+  std::size_t count = 0;
+  double least_depth = kMaxToolRadius_m;
+  for (std::uint16_t t = 0; t < near_.all().size(); ++t) {
+    const NearTriangle& triangle = near_.all()[t];
+    const double separation = (vertex - triangle.corners_O[0]).dot(triangle.normal_O) - radius_m;
+    if (triangle.stops && separation <= margin_m && is_over(triangle, vertex)) {
+      over[count++] = t;
+      least_depth = std::min(least_depth, std::max(-separation, 0.0));
+    }
+  }
+  for (const std::uint16_t t : std::span(over).first(count)) {
+    const Vec3& normal = near_.all()[t].normal_O;
+    const double separation = (vertex - near_.all()[t].corners_O[0]).dot(normal) - radius_m;
+    if (-separation <= std::max(kDeep_m, kDeeper * least_depth)) {
+      patches_.add(normal, {.point_W = vertex - (radius_m + 0.5 * separation) * normal,
+                            .separation_m = separation});
     }
   }
 }

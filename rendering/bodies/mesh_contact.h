@@ -29,6 +29,8 @@ class MeshContact {
 
  private:
   void add_vertices(const PlacedHull& hull_O, double margin_m);
+  // Adds the contacts of a vertex with this radius.
+  void add_vertex(const Vec3& vertex, double radius_m, double margin_m);
   void add_edges(Sides sides, const PlacedHull& hull_O, double margin_m);
   // Adds the contact of the edge k of a triangle.
   void add_edge(const NearTriangle& triangle, std::size_t k, Sides sides, const PlacedHull& hull_O,

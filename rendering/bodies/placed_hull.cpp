@@ -8,6 +8,7 @@ namespace tactus::rendering {
 void PlacedHull::place(const ConvexHull& hull, const RigidPose& X_WO) {
   hull_ = hull;
   rotation_ = X_WO.rotation;
+  translation_ = X_WO.translation;
   count_ = std::min(hull.vertices_O.size(), kMaxHullVertices);
   Vec3 lower = X_WO.point(hull.vertices_O[0]);
   Vec3 upper = lower;
@@ -23,6 +24,41 @@ void PlacedHull::place(const ConvexHull& hull, const RigidPose& X_WO) {
     farthest = std::max(farthest, (vertex - middle_W_).squaredNorm());
   }
   reach_m_ = std::sqrt(farthest) + hull.radius_m;
+}
+
+PlacedHull::RimPoints PlacedHull::rim_points(const Vec3& normal_W) const {
+  // Below this lean, rad, a circle lies in the plane: a lowest point would turn with the rounding.
+  constexpr double kLean = 1e-3;
+  // The slope of a side that lies along the plane.
+  constexpr double kAlong = 0.1;
+  const HullCircles& circles = *hull_.circles;
+  const Vec3 axis = rotation_ * circles.axis_O;
+  Vec3 up = normal_W - normal_W.dot(axis) * axis;
+  const double lean = up.norm();
+  if (lean > kLean) {
+    up /= lean;
+  } else {
+    Eigen::Index least = 0;
+    circles.axis_O.cwiseAbs().minCoeff(&least);
+    up = (rotation_ * circles.axis_O.cross(Vec3::Unit(least))).normalized();
+  }
+  const Vec3 aside = axis.cross(up);
+  RimPoints rim;
+  std::array<Vec3, 2> lowest;
+  for (std::size_t i = 0; i < 2; ++i) {
+    const Vec3 center = rotation_ * circles.centers_O[i] + translation_;
+    const double r = circles.radii_m[i];
+    lowest[i] = center - r * up;
+    rim.points[rim.count++] = lowest[i];
+    if (r > 0.0) {
+      rim.points[rim.count++] = center + r * up;
+      rim.points[rim.count++] = center + r * aside;
+      rim.points[rim.count++] = center - r * aside;
+    }
+  }
+  const Vec3 side = lowest[1] - lowest[0];
+  rim.is_along_side = lean > kLean && std::abs(side.dot(normal_W)) < kAlong * side.norm();
+  return rim;
 }
 
 std::size_t PlacedHull::support(const Vec3& direction_W) const {

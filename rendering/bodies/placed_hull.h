@@ -32,6 +32,17 @@ class PlacedHull {
     const HullFace& polygon = hull_.faces[face];
     return hull_.corners.subspan(polygon.first, polygon.count);
   }
+  // The points in which the circles of a round solid may touch a plane; world frame, m.
+  struct RimPoints {
+    std::array<Vec3, 8> points;
+    std::size_t count = 0;
+    // True if the plane lies along the line between the lowest points of the two circles.
+    bool is_along_side = false;
+  };
+  // Returns them, for a plane with this unit normal toward the solid: of each circle the lowest
+  // one, which comes first, and three that share the circle with it; of a tip itself. The solid
+  // must have circles.
+  [[nodiscard]] RimPoints rim_points(const Vec3& normal_W) const;
   // Returns the number of the vertex that is farthest along a direction; the first of several.
   [[nodiscard]] std::size_t support(const Vec3& direction_W) const;
   // Returns the middle of the vertices' box, and the distance of the farthest point of the solid
@@ -44,6 +55,7 @@ class PlacedHull {
  private:
   ConvexHull hull_;
   Mat3 rotation_ = Mat3::Identity();
+  Vec3 translation_ = Vec3::Zero();
   std::array<Vec3, kMaxHullVertices> vertices_W_;
   std::size_t count_ = 0;
   Vec3 middle_W_ = Vec3::Zero();

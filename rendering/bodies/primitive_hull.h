@@ -1,7 +1,8 @@
-// The hulls of the primitives that have few corners: sphere, capsule and box.
+// The hulls of convex primitives: sphere, capsule, box, cylinder and cone.
 #pragma once
 
 #include <array>
+#include <cstdint>
 
 #include "rendering/geometry/convex_hull.h"
 #include "rendering/surface/primitive.h"
@@ -11,17 +12,19 @@ namespace tactus::rendering {
 // Returns true for the kinds of which PrimitiveHull makes a hull.
 constexpr bool has_hull(PrimitiveKind kind) {
   return kind == PrimitiveKind::sphere || kind == PrimitiveKind::capsule ||
-         kind == PrimitiveKind::box;
-}
-
-// Returns true for the kinds that stop bodies where they are no bodies themselves.
-constexpr bool stops_bodies(PrimitiveKind kind) {
-  return has_hull(kind) || kind == PrimitiveKind::plane;
+         kind == PrimitiveKind::box || kind == PrimitiveKind::cylinder ||
+         kind == PrimitiveKind::cone;
 }
 
 // The vertices and the faces of a primitive's hull.
 class PrimitiveHull {
  public:
+  // The sides of the prism or the pyramid that stands for a cylinder or a cone. Its corners are
+  // outside of the circle and its sides inside, by 0.43 percent of the radius each.
+  static constexpr std::uint8_t kSides = 24;
+
+  PrimitiveHull() = default;
+
   // Makes the hull of a valid primitive whose kind has_hull(), in the frame that its pose leads to.
   void make(const Primitive& primitive);
 
@@ -29,10 +32,15 @@ class PrimitiveHull {
   [[nodiscard]] ConvexHull hull() const;
 
  private:
-  std::array<Vec3, 8> vertices_O_;
-  std::array<HullFace, 6> faces_;
+  void make_box(const Primitive& primitive);
+  void make_cylinder(const Primitive& primitive);
+  void make_cone(const Primitive& primitive);
+
+  std::array<Vec3, 2 * kSides> vertices_O_;
+  std::array<HullFace, kSides + 2> faces_;
   PrimitiveKind kind_ = PrimitiveKind::sphere;
   double radius_m_ = 0.0;
+  HullCircles circles_;
 };
 
 }  // namespace tactus::rendering

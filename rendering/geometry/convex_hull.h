@@ -1,6 +1,7 @@
 // Convex hulls: the collision shapes of bodies, and of what they meet.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <span>
 
@@ -25,6 +26,14 @@ struct HullEdge {
   std::uint16_t right = 0;
 };
 
+// Two circles about one axis that bound a round solid: a cylinder, or a cone whose tip is a circle
+// without radius. The hull of vertices is then a polyhedron near it.
+struct HullCircles {
+  Vec3 axis_O = Vec3::UnitY();  // unit, from the first circle to the second
+  std::array<Vec3, 2> centers_O{Vec3::Zero(), Vec3::Zero()};
+  std::array<double, 2> radii_m{};
+};
+
 // A convex solid: all points within `radius_m` of the hull of its vertices. A sphere is a vertex
 // with a radius, a capsule an edge with a radius; both have no faces. Views of memory that the
 // caller keeps alive and unchanged.
@@ -34,6 +43,8 @@ struct ConvexHull {
   std::span<const std::uint8_t> corners;
   std::span<const HullEdge> edges;
   double radius_m = 0.0;
+  // The circles of a round solid, by which it rolls over planes and triangles; nullptr for another.
+  const HullCircles* circles = nullptr;
 };
 
 }  // namespace tactus::rendering

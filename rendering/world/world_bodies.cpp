@@ -11,13 +11,6 @@ ContactSurface surface_of(const SceneObjects& scene, std::uint32_t number, doubl
   return {.friction = scene.material(number).friction.coulomb, .restitution = restitution};
 }
 
-// Returns true if bodies meet the object where it is no body.
-bool stops_bodies(const Object& object) {
-  return object.surface == SurfaceKind::primitive
-             ? stops_bodies(object.primitive.kind)
-             : object.surface == SurfaceKind::mesh && !object.deforms;
-}
-
 }  // namespace
 
 bool WorldBodies::set(const SceneObjects& scene, std::span<const ObjectBody> bodies,
@@ -64,18 +57,23 @@ bool WorldBodies::add(const SceneObjects& scene, std::uint32_t number, const Obj
     body_objects_[count] = number;
     return bodies_.add_body(start);
   }
-  if (!stops_bodies(object)) {
+  if (object.deforms) {
     return true;
   }
   obstacle_objects_[count] = number;
   ++obstacle_count_;
-  return bodies_.add_obstacle({.mesh = is_primitive ? MeshView{} : object.mesh,
-                               .sides = object.sides,
-                               .hull = hull,
-                               .plane_O = object.primitive.X_WO,
-                               .surface = surface,
-                               .X_WO = {},
-                               .twist = {}});
+  const bool is_field = is_primitive && object.primitive.kind == PrimitiveKind::torus;
+  const bool is_formula = object.surface == SurfaceKind::implicit;
+  return bodies_.add_obstacle(
+      {.mesh = is_primitive || is_formula ? MeshView{} : object.mesh,
+       .sides = object.sides,
+       .field = {.primitive = is_field ? &scene.unchanged(number).primitive : nullptr,
+                 .implicit = is_formula ? &scene.unchanged(number).implicit : nullptr},
+       .hull = hull,
+       .plane_O = object.primitive.X_WO,
+       .surface = surface,
+       .X_WO = {},
+       .twist = {}});
 }
 
 const RigidBody* WorldBodies::of(std::uint32_t object) const {

@@ -18,7 +18,6 @@
 #include "host_tools/files/atomic_file.h"
 #include "host_tools/files/output_place.h"
 #include "host_tools/input_error.h"
-#include "rendering/bodies/primitive_hull.h"
 #include "rendering/objects/scene_objects.h"
 
 namespace tactus::host {
@@ -157,12 +156,9 @@ void add_body(const ObjectDescription& object, const std::string& scene, BakedOb
 
 // Tells that bodies go through the object, if they do.
 void warn_of_passage(const BakedObject& object, bool is_with_bodies, ObjectReport& report) {
-  const auto* const primitive = std::get_if<rendering::Primitive>(&object.shape);
-  const bool is_met = primitive != nullptr && rendering::stops_bodies(primitive->kind);
-  if (is_with_bodies && !object.body && !is_met) {
+  if (is_with_bodies && object.motion.deforms) {
     report.warnings.push_back(fmt::format(
-        "{}: bodies go through it: of fixed objects they meet planes, boxes, spheres and capsules",
-        object.name));
+        "{}: bodies go through it: a mesh that deforms does not stop them", object.name));
   }
 }
 

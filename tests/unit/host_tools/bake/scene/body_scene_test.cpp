@@ -103,15 +103,41 @@ TEST_F(BodyScene, RestsOnATableAndAMeshMeetsItByItsHull) {
   EXPECT_NEAR(wedge.motion().center_W.y(), 0.01, 1e-4) << "a third of its height";
 }
 
+// A sheet about the origin, of two triangles with their front upward.
+constexpr const char* kSheet =
+    "OFF\n4 2 0\n-0.1 0 -0.1\n-0.1 0 0.1\n0.1 0 0.1\n0.1 0 -0.1\n3 0 1 2\n3 0 2 3\n";
+
 TEST_F(BodyScene, SaysWhereBodiesAreNotMetByTheirShape) {
+  static_cast<void>(folder_.write("sheet.off", kSheet));
   const host::BakeReport report = bake(
-      "[[object]]\nname = \"post\"\nprimitive = \"cylinder\"\nradius_m = 0.01\nheight_m = 0.05\n"
+      "[[object]]\nname = \"sheet\"\nmesh = \"sheet.off\"\nscale = 1.0\nsides = "
+      "\"two\"\ndeforms = true\n"
       "[[object]]\nname = \"ring\"\nprimitive = \"torus\"\nring_radius_m = 0.03\n"
       "tube_radius_m = 0.005\n[object.body]\nmass_kg = 0.05\n");
   ASSERT_FALSE(report.objects[0].warnings.empty());
-  EXPECT_TRUE(contains(report.objects[0].warnings[0], "post: bodies go through it"));
+  EXPECT_TRUE(contains(report.objects[0].warnings[0], "sheet: bodies go through it"));
   ASSERT_FALSE(report.objects[1].warnings.empty());
   EXPECT_TRUE(contains(report.objects[1].warnings[0], "ring: other objects meet its convex hull"));
+}
+
+// Every kind of surface stops a ball: it comes to rest upon it, and not below.
+TEST_F(BodyScene, RestsOnEveryKindOfSurface) {
+  static_cast<void>(folder_.write("sheet.off", kSheet));
+  for (const std::string& floor :
+       {std::string("primitive = \"plane\"\n"),
+        std::string("mesh = \"sheet.off\"\nscale = 1.0\n"
+                    "sides = \"two\"\n"),
+        std::string("primitive = \"cylinder\"\nradius_m = 0.05\nheight_m = 0.02\n"
+                    "position_m = [0.0, -0.01, 0.0]\n"),
+        std::string(
+            "formula = \"y\"\nscale = 0.1\nbounds = [-1.0, -1.0, -1.0, 1.0, 1.0, 1.0]\n")}) {
+    bake("[[object]]\nname = \"floor\"\n" + floor +
+         "friction = { static = 0.5 }\n"
+         "[[object]]\nname = \"ball\"\nprimitive = \"sphere\"\nradius_m = 0.01\n"
+         "position_m = [0.0, 0.02, 0.0]\nfriction = { static = 0.5 }\n[object.body]\n");
+    const auto world = run(500);
+    EXPECT_NEAR(world->body(1)->motion().center_W.y(), 0.01, 2e-5) << floor;
+  }
 }
 
 TEST_F(BodyScene, RefusesWhatCannotBeABody) {
