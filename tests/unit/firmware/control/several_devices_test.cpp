@@ -18,14 +18,19 @@ constexpr std::size_t kThreeDevices = 3;
 constexpr int kWalkTicks = 3000;
 
 // Returns where a device is at a tick: it goes into the floor and out, each at a speed of its own.
+// One has a fault in between.
 drivers::JointSample sample_at(std::size_t device, int tick) {
   const double phase = 0.002 * tick * (1.0 + 0.3 * static_cast<double>(device));
-  return at(0.02 * static_cast<double>(device) + 0.005 * std::sin(phase),
-            0.004 * std::cos(2.0 * phase), 0.001 * std::sin(3.0 * phase));
+  drivers::JointSample sample = at(0.02 * static_cast<double>(device) + 0.005 * std::sin(phase),
+                                   0.004 * std::cos(2.0 * phase), 0.001 * std::sin(3.0 * phase));
+  if (device == 2 && tick == 1500) {
+    sample.status = drivers::kDeviceEmergencyStop;
+  }
+  return sample;
 }
 
 // Returns the request of a device at a tick. They start one after the other, one is disabled in
-// between, and one is stopped and started again.
+// between, and the one with the fault is started again.
 Request request_at(std::size_t device, int tick) {
   const int begin = 50 * static_cast<int>(device);
   if (tick == begin) {
@@ -39,8 +44,6 @@ Request request_at(std::size_t device, int tick) {
   }
   if (device == 2) {
     switch (tick) {
-      case 1500:
-        return Request::estop;
       case 1700:
         return Request::reset;
       case 1702:
