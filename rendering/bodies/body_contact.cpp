@@ -12,58 +12,68 @@ constexpr double kFastestRecovery_m_per_s = 1.0;
 // Slower approaches do not bounce, m/s: one of them is gravity's of a few ticks.
 constexpr double kLeastBounce_m_per_s = 0.05;
 
-// Returns the speed with which the surfaces part at a point, as a vector; world frame.
-Vec3 parting(const SolverBody& a, const SolverBody& b, const SolvedPoint& point) {
-  return b.velocity_at(point.arm_b_W) - a.velocity_at(point.arm_a_W);
+// Returns the speed with which the surfaces part along an axis of the contact.
+double parting(const SolverBody& a, const SolverBody& b, const Vec3& axis_W,
+               const PushDirection& along) {
+  const Vec6& of_a = a.velocity();
+  const Vec6& of_b = b.velocity();
+  return axis_W.dot(of_b.head<3>() - of_a.head<3>()) + along.turn_a_W.dot(of_a.tail<3>()) +
+         along.turn_b_W.dot(of_b.tail<3>());
 }
 
-void push_apart(SolverBody& a, SolverBody& b, const SolvedPoint& point, const Vec3& impulse_W) {
-  a.push(-impulse_W, point.arm_a_W);
-  b.push(impulse_W, point.arm_b_W);
+void push_apart(const BodyContact& contact, SolverBody& a, SolverBody& b,
+                const PushDirection& along, double impulse) {
+  if (contact.pushes_a) {
+    a.gain(impulse * along.answer_a);
+  }
+  b.gain(impulse * along.answer_b);
 }
 
 double inverse_or_zero(double x) {
   return x > 0.0 ? 1.0 / x : 0.0;
 }
 
-// Returns the distance of the surfaces at a point now, m.
-double separation_now(const BodyContact& contact, const SolvedPoint& point,
-                      std::span<const Shift> shifts) {
-  const Shift& a = shifts[contact.a];
-  const Shift& b = shifts[contact.b];
-  const Vec3 moved_a = a.translation_W + a.rotation * point.arm_a_W - point.arm_a_W;
-  const Vec3 moved_b = b.translation_W + b.rotation * point.arm_b_W - point.arm_b_W;
-  return point.separation_m + (moved_b - moved_a).dot(contact.normal_W);
+// Computes the answers of the bodies as they are now.
+void set_answers(const BodyContact& contact, const SolverBody& a, const SolverBody& b,
+                 SolvedPoint& point) {
+  for (std::size_t k = 0; k < 3; ++k) {
+    PushDirection& along = point.along[k];
+    if (contact.pushes_a) {
+      along.answer_a = a.answer_to(wrench_of(-contact.axes_W[k], point.arm_a_W));
+    }
+    along.answer_b = b.answer_to(wrench_of(contact.axes_W[k], point.arm_b_W));
+  }
 }
 
 // Gives a point the impulses of the nearest point of the last tick, seen from B, if that is near.
-void take_over_impulses(const BodyContact& before, const BodyContact& contact, SolvedPoint& point) {
+void take_over_impulses(const PastContact& before, const BodyContact& contact, SolvedPoint& point) {
   constexpr double kNear_m = 2e-3;
   double least = kNear_m * kNear_m;
-  for (const SolvedPoint& old : std::span(before.points).first(before.count)) {
+  for (const PastPoint& old : std::span(before.points).first(before.count)) {
     const double distance2 = (old.arm_b_W - point.arm_b_W).squaredNorm();
     if (distance2 < least) {
       least = distance2;
-      const Vec3 rub = old.rub[0] * before.tangents_W[0] + old.rub[1] * before.tangents_W[1];
+      const Vec3 rub = old.rub[0] * before.axes_W[1] + old.rub[1] * before.axes_W[2];
       point.push = old.push;
-      point.rub = {rub.dot(contact.tangents_W[0]), rub.dot(contact.tangents_W[1])};
+      point.rub = {rub.dot(contact.axes_W[1]), rub.dot(contact.axes_W[2])};
     }
   }
 }
 
 // Friction holds a point within the circle that its push allows.
-void solve_friction(BodyContact& contact, SolvedPoint& point, SolverBody& a, SolverBody& b) {
-  const Vec3 slip = parting(a, b, point);
-  const Eigen::Vector2d along{slip.dot(contact.tangents_W[0]), slip.dot(contact.tangents_W[1])};
-  Eigen::Vector2d wanted = point.rub - point.tangent_mass.cwiseProduct(along);
+void solve_friction(const BodyContact& contact, SolvedPoint& point, SolverBody& a, SolverBody& b) {
+  const Eigen::Vector2d along{
+      point.along[1].mass * parting(a, b, contact.axes_W[1], point.along[1]),
+      point.along[2].mass * parting(a, b, contact.axes_W[2], point.along[2])};
+  Eigen::Vector2d wanted = point.rub - along;
   const double most = contact.surface.friction * point.push;
-  const double size = wanted.norm();
-  if (size > most) {
-    wanted *= most / size;
+  const double size2 = wanted.squaredNorm();
+  if (size2 > most * most) {
+    wanted *= most / std::sqrt(size2);
   }
-  const Eigen::Vector2d change = wanted - point.rub;
+  push_apart(contact, a, b, point.along[1], wanted[0] - point.rub[0]);
+  push_apart(contact, a, b, point.along[2], wanted[1] - point.rub[1]);
   point.rub = wanted;
-  push_apart(a, b, point, change[0] * contact.tangents_W[0] + change[1] * contact.tangents_W[1]);
 }
 
 }  // namespace
@@ -76,52 +86,94 @@ ContactSoftness contact_softness(double frequency_Hz, double damping_ratio, doub
       .bias_rate = omega / a1, .mass_scale = a2 / (1.0 + a2), .impulse_scale = 1.0 / (1.0 + a2)};
 }
 
+PastContact past_of(const BodyContact& contact) {
+  PastContact past{
+      .a = contact.a, .b = contact.b, .axes_W = contact.axes_W, .count = contact.count};
+  for (std::size_t i = 0; i < contact.count; ++i) {
+    const SolvedPoint& point = contact.points[i];
+    past.points[i] = {.arm_b_W = point.arm_b_W, .push = point.push, .rub = point.rub};
+  }
+  return past;
+}
+
 void begin_contact(const Manifold& manifold, std::span<const SolverBody> bodies,
-                   const BodyContact* before, BodyContact& contact) {
+                   const PastContact* before, BodyContact& contact) {
   const SolverBody& a = bodies[contact.a];
   const SolverBody& b = bodies[contact.b];
   const Vec3& normal = manifold.normal_W;
-  contact.normal_W = normal;
   Eigen::Index least = 0;
   normal.cwiseAbs().minCoeff(&least);
-  contact.tangents_W[0] = normal.cross(Vec3::Unit(least)).normalized();
-  contact.tangents_W[1] = normal.cross(contact.tangents_W[0]);
+  contact.axes_W[0] = normal;
+  contact.axes_W[1] = normal.cross(Vec3::Unit(least)).normalized();
+  contact.axes_W[2] = normal.cross(contact.axes_W[1]);
+  contact.pushes_a = a.can_move();
   contact.count = manifold.count;
   for (std::size_t i = 0; i < manifold.count; ++i) {
     const ManifoldPoint& found = manifold.points[i];
-    SolvedPoint point{.arm_a_W = found.point_W - a.center_W(),
-                      .arm_b_W = found.point_W - b.center_W(),
-                      .separation_m = found.separation_m};
-    point.parting_m_per_s = parting(a, b, point).dot(normal);
-    const auto mass_along = [&](const Vec3& direction) {
-      return inverse_or_zero(a.mobility(point.arm_a_W, direction) +
-                             b.mobility(point.arm_b_W, direction));
-    };
-    point.normal_mass = mass_along(normal);
-    point.tangent_mass = {mass_along(contact.tangents_W[0]), mass_along(contact.tangents_W[1])};
+    SolvedPoint& point = contact.points[i];
+    point.arm_a_W = found.point_W - a.center_W();
+    point.arm_b_W = found.point_W - b.center_W();
+    point.separation_m = found.separation_m;
+    point.separation_now_m = found.separation_m;
+    point.push = 0.0;
+    point.rub.setZero();
+    point.hardest_push = 0.0;
+    set_answers(contact, a, b, point);
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Vec3& axis = contact.axes_W[k];
+      PushDirection& along = point.along[k];
+      along.turn_a_W = -point.arm_a_W.cross(axis);
+      along.turn_b_W = point.arm_b_W.cross(axis);
+      const double of_a = contact.pushes_a ? along.turn_a_W.dot(along.answer_a.tail<3>()) -
+                                                 axis.dot(along.answer_a.head<3>())
+                                           : 0.0;
+      along.mass = inverse_or_zero(of_a + along.turn_b_W.dot(along.answer_b.tail<3>()) +
+                                   axis.dot(along.answer_b.head<3>()));
+    }
+    point.parting_m_per_s = parting(a, b, normal, point.along[0]);
     if (before != nullptr) {
       take_over_impulses(*before, contact, point);
     }
-    contact.points[i] = point;
   }
 }
 
-void warm_start(const BodyContact& contact, std::span<SolverBody> bodies) {
+void warm_start(BodyContact& contact, std::span<SolverBody> bodies) {
+  SolverBody& a = bodies[contact.a];
+  SolverBody& b = bodies[contact.b];
+  const bool has_springs = a.has_springs() || b.has_springs();
   for (std::size_t i = 0; i < contact.count; ++i) {
-    const SolvedPoint& point = contact.points[i];
-    push_apart(bodies[contact.a], bodies[contact.b], point,
-               point.push * contact.normal_W + point.rub[0] * contact.tangents_W[0] +
-                   point.rub[1] * contact.tangents_W[1]);
+    SolvedPoint& point = contact.points[i];
+    if (has_springs) {
+      set_answers(contact, a, b, point);
+    }
+    push_apart(contact, a, b, point.along[0], point.push);
+    push_apart(contact, a, b, point.along[1], point.rub[0]);
+    push_apart(contact, a, b, point.along[2], point.rub[1]);
   }
 }
 
-void solve_contact(BodyContact& contact, std::span<SolverBody> bodies,
-                   std::span<const Shift> shifts, double step_s, const ContactSoftness* softness) {
+// A rotation R moves the point at `arm` along the normal n by (R arm - arm) n = arm (R'n - n).
+void follow_motion(BodyContact& contact, std::span<const Shift> shifts) {
+  const Shift& a = shifts[contact.a];
+  const Shift& b = shifts[contact.b];
+  const Vec3& normal = contact.axes_W[0];
+  const double shifted = (b.translation_W - a.translation_W).dot(normal);
+  const Vec3 turned_a = a.rotation.transpose() * normal - normal;
+  const Vec3 turned_b = b.rotation.transpose() * normal - normal;
+  for (std::size_t i = 0; i < contact.count; ++i) {
+    SolvedPoint& point = contact.points[i];
+    point.separation_now_m =
+        point.separation_m + shifted + point.arm_b_W.dot(turned_b) - point.arm_a_W.dot(turned_a);
+  }
+}
+
+void solve_contact(BodyContact& contact, std::span<SolverBody> bodies, double step_s,
+                   const ContactSoftness* softness) {
   SolverBody& a = bodies[contact.a];
   SolverBody& b = bodies[contact.b];
   for (std::size_t i = 0; i < contact.count; ++i) {
     SolvedPoint& point = contact.points[i];
-    const double separation = separation_now(contact, point, shifts);
+    const double separation = point.separation_now_m;
     double bias = 0.0;
     double mass_scale = 1.0;
     double impulse_scale = 0.0;
@@ -133,16 +185,22 @@ void solve_contact(BodyContact& contact, std::span<SolverBody> bodies,
       mass_scale = softness->mass_scale;
       impulse_scale = softness->impulse_scale;
     }
-    const double approach = parting(a, b, point).dot(contact.normal_W);
+    const double approach = parting(a, b, contact.axes_W[0], point.along[0]);
     const double change =
-        -point.normal_mass * mass_scale * (approach + bias) - impulse_scale * point.push;
+        -point.along[0].mass * mass_scale * (approach + bias) - impulse_scale * point.push;
     const double push = std::max(point.push + change, 0.0);
-    push_apart(a, b, point, (push - point.push) * contact.normal_W);
-    point.push = push;
-    point.hardest_push = std::max(point.hardest_push, push);
+    if (push != point.push) {
+      push_apart(contact, a, b, point.along[0], push - point.push);
+      point.push = push;
+      point.hardest_push = std::max(point.hardest_push, push);
+    }
   }
   for (std::size_t i = 0; i < contact.count; ++i) {
-    solve_friction(contact, contact.points[i], a, b);
+    SolvedPoint& point = contact.points[i];
+    // A point that is not pushed has no friction.
+    if (point.push > 0.0 || point.rub[0] != 0.0 || point.rub[1] != 0.0) {
+      solve_friction(contact, point, a, b);
+    }
   }
 }
 
@@ -157,12 +215,26 @@ void apply_restitution(BodyContact& contact, std::span<SolverBody> bodies) {
     if (point.parting_m_per_s > -kLeastBounce_m_per_s || !(point.hardest_push > 0.0)) {
       continue;
     }
-    const double approach = parting(a, b, point).dot(contact.normal_W);
+    const double approach = parting(a, b, contact.axes_W[0], point.along[0]);
     const double change =
-        -point.normal_mass * (approach + contact.surface.restitution * point.parting_m_per_s);
+        -point.along[0].mass * (approach + contact.surface.restitution * point.parting_m_per_s);
     const double push = std::max(point.push + change, 0.0);
-    push_apart(a, b, point, (push - point.push) * contact.normal_W);
+    push_apart(contact, a, b, point.along[0], push - point.push);
     point.push = push;
+  }
+}
+
+void add_impulses(const BodyContact& contact, std::span<Vec6> wrenches) {
+  for (std::size_t i = 0; i < contact.count; ++i) {
+    const SolvedPoint& point = contact.points[i];
+    const Vec3 impulse = point.push * contact.axes_W[0] + point.rub[0] * contact.axes_W[1] +
+                         point.rub[1] * contact.axes_W[2];
+    wrenches[contact.b].head<3>() += impulse;
+    wrenches[contact.b].tail<3>() += point.arm_b_W.cross(impulse);
+    if (contact.pushes_a) {
+      wrenches[contact.a].head<3>() -= impulse;
+      wrenches[contact.a].tail<3>() -= point.arm_a_W.cross(impulse);
+    }
   }
 }
 

@@ -21,13 +21,27 @@ struct ContactSurface {
   double restitution = 0.0;
 };
 
+// A direction along which two solids push each other at a point: what the solver needs of it.
+struct PushDirection {
+  // The velocities' shares in the speed with which the surfaces part along it: the direction itself
+  // for the linear ones, with opposite signs, and these for the angular ones.
+  Vec3 turn_a_W = Vec3::Zero();
+  Vec3 turn_b_W = Vec3::Zero();
+  // What an impulse of 1 N s changes in the velocities of A and B.
+  Vec6 answer_a = Vec6::Zero();
+  Vec6 answer_b = Vec6::Zero();
+  // The mass that it pushes, kg.
+  double mass = 0.0;
+};
+
 // A point of a contact while it is solved. World frame.
 struct SolvedPoint {
   // The arms from the centres of A and B to the point, at the beginning of the tick, m.
   Vec3 arm_a_W = Vec3::Zero();
   Vec3 arm_b_W = Vec3::Zero();
-  // The distance of the surfaces then, m.
+  // The distance of the surfaces then, and in this sub-step, m.
   double separation_m = 0.0;
+  double separation_now_m = 0.0;
   // The speed with which the surfaces part at the beginning, m/s; < 0 where they approach.
   double parting_m_per_s = 0.0;
   // The impulses of a sub-step: along the normal, N s, >= 0, and along the tangents.
@@ -35,22 +49,39 @@ struct SolvedPoint {
   Eigen::Vector2d rub = Eigen::Vector2d::Zero();
   // The largest push of the tick's sub-steps.
   double hardest_push = 0.0;
-  // The masses that the normal and the tangents push, kg.
-  double normal_mass = 0.0;
-  Eigen::Vector2d tangent_mass = Eigen::Vector2d::Zero();
+  // The normal and the tangents.
+  std::array<PushDirection, 3> along;
 };
 
 // The contact of solids `a` and `b`, numbers in the solver's list.
 struct BodyContact {
   std::uint16_t a = 0;
   std::uint16_t b = 0;
+  // True if A, or both, can be pushed; B always can.
+  bool pushes_a = false;
   ContactSurface surface;
-  Vec3 normal_W = Vec3::UnitY();
-  // Two unit tangents.
-  std::array<Vec3, 2> tangents_W{Vec3::UnitX(), Vec3::UnitZ()};
+  // The normal from A to B and two tangents, unit.
+  std::array<Vec3, 3> axes_W{Vec3::UnitY(), Vec3::UnitX(), Vec3::UnitZ()};
   std::array<SolvedPoint, kManifoldPoints> points;
   std::size_t count = 0;
 };
+
+// What a contact leaves to the next tick.
+struct PastPoint {
+  Vec3 arm_b_W = Vec3::Zero();
+  double push = 0.0;
+  Eigen::Vector2d rub = Eigen::Vector2d::Zero();
+};
+struct PastContact {
+  std::uint16_t a = 0;
+  std::uint16_t b = 0;
+  std::array<Vec3, 3> axes_W{Vec3::UnitY(), Vec3::UnitX(), Vec3::UnitZ()};
+  std::array<PastPoint, kManifoldPoints> points;
+  std::size_t count = 0;
+};
+
+// Returns what a contact leaves.
+PastContact past_of(const BodyContact& contact);
 
 // The resistance of a contact to overlap in a sub-step: a damped spring that is integrated
 // implicitly (Catto, "Solver2D", 2024). `a1` and `a2` of that text give the three numbers.
@@ -65,26 +96,35 @@ struct ContactSoftness {
 // Returns the softness of a spring with this frequency, Hz, and damping ratio in a sub-step.
 ContactSoftness contact_softness(double frequency_Hz, double damping_ratio, double step_s);
 
-// Makes a contact of a manifold. The impulses of `before`, the same contact in the last tick or
-// nullptr, go on at the points that are where they were.
+// Makes a contact of a manifold between the solids that it names. The impulses of `before`, the
+// same contact in the last tick or nullptr, go on at the points that are where they were.
 void begin_contact(const Manifold& manifold, std::span<const SolverBody> bodies,
-                   const BodyContact* before, BodyContact& contact);
+                   const PastContact* before, BodyContact& contact);
 
-// Applies the impulses that the last sub-step ended with.
-void warm_start(const BodyContact& contact, std::span<SolverBody> bodies);
-
-// Solves the points of a contact once; friction comes last, as its limit is the push's. With a
-// softness the surfaces are pushed apart where they overlap; without one (nullptr) only their
-// approach is stopped. `shift` gives how far the solids have moved since the beginning of the tick:
-// for each the translation and, in `rotations`, the rotation.
+// The motion of a solid since the beginning of the tick.
 struct Shift {
   Vec3 translation_W = Vec3::Zero();
   Mat3 rotation = Mat3::Identity();
 };
-void solve_contact(BodyContact& contact, std::span<SolverBody> bodies,
-                   std::span<const Shift> shifts, double step_s, const ContactSoftness* softness);
+
+// Begins a sub-step: follows what springs make of the bodies, and applies the impulses that the
+// last sub-step ended with.
+void warm_start(BodyContact& contact, std::span<SolverBody> bodies);
+
+// Computes the points' distances after the solids have moved.
+void follow_motion(BodyContact& contact, std::span<const Shift> shifts);
+
+// Solves the points of a contact once; friction comes last, as its limit is the push's. With a
+// softness the surfaces are pushed apart where they overlap; without one (nullptr) only their
+// approach is stopped.
+void solve_contact(BodyContact& contact, std::span<SolverBody> bodies, double step_s,
+                   const ContactSoftness* softness);
 
 // Bounces the points that have approached faster than a threshold and have been pushed.
 void apply_restitution(BodyContact& contact, std::span<SolverBody> bodies);
+
+// Adds the contact's impulses in this sub-step to those on each body, with their torque; `wrenches`
+// has a place for every solid.
+void add_impulses(const BodyContact& contact, std::span<Vec6> wrenches);
 
 }  // namespace tactus::rendering

@@ -103,8 +103,17 @@ void BodyWorld::step(double tick_s, std::span<const FingerGrip> grips, std::span
   }
 }
 
+std::size_t BodyWorld::point_count() const {
+  std::size_t count = 0;
+  for (const BodyContact& contact : std::span(contacts_).first(contact_count_)) {
+    count += contact.count;
+  }
+  return count;
+}
+
 void BodyWorld::find_contacts(double tick_s) {
-  std::copy_n(contacts_.begin(), contact_count_, contacts_before_.begin());
+  std::transform(contacts_.begin(), contacts_.begin() + static_cast<std::ptrdiff_t>(contact_count_),
+                 contacts_before_.begin(), past_of);
   contact_count_before_ = contact_count_;
   contact_count_ = 0;
   left_out_ = false;
@@ -175,13 +184,12 @@ void BodyWorld::add_contact(std::uint16_t a, std::uint16_t b, const Manifold& ma
     return;
   }
   // The same contact in the last tick: of several the one with the most similar normal.
-  const BodyContact* before = nullptr;
+  const PastContact* before = nullptr;
   double likeness = kSameContact;
-  for (const BodyContact& old : std::span(contacts_before_).first(contact_count_before_)) {
-    const double cosine = old.normal_W.dot(manifold.normal_W);
-    if (old.a == a && old.b == b && cosine > likeness) {
+  for (const PastContact& old : std::span(contacts_before_).first(contact_count_before_)) {
+    if (old.a == a && old.b == b && old.axes_W[0].dot(manifold.normal_W) > likeness) {
       before = &old;
-      likeness = cosine;
+      likeness = old.axes_W[0].dot(manifold.normal_W);
     }
   }
   const ContactSurface& of_a =
@@ -202,19 +210,24 @@ void BodyWorld::sub_step(double step_s, bool is_last) {
     solids_[i].begin(bodies_[i]);
   }
   grips_.begin_step(solids_, step_s);
-  for (const BodyContact& contact : contacts) {
+  for (BodyContact& contact : contacts) {
     warm_start(contact, solids_);
   }
   solve_contacts(step_s, &softness);
+  sum_impulses();
   move_bodies(step_s);
+  for (BodyContact& contact : contacts) {
+    follow_motion(contact, shifts_);
+  }
   solve_contacts(step_s, nullptr);
   if (is_last) {
     for (BodyContact& contact : contacts) {
       apply_restitution(contact, solids_);
     }
   }
+  sum_impulses();
   for (std::uint32_t i = 0; i < body_count_; ++i) {
-    const Vec6 impulse = solids_[i].pushed() + grips_.impulse_on(i, solids_);
+    const Vec6 impulse = pushed_[i] + grips_.impulse_on(i, solids_);
     bodies_[i].push(impulse.head<3>(), impulse.tail<3>());
   }
   grips_.end_step(moved_);
@@ -223,8 +236,15 @@ void BodyWorld::sub_step(double step_s, bool is_last) {
 void BodyWorld::solve_contacts(double step_s, const ContactSoftness* softness) {
   for (int pass = 0; pass < kPasses; ++pass) {
     for (BodyContact& contact : std::span(contacts_).first(contact_count_)) {
-      solve_contact(contact, solids_, shifts_, step_s, softness);
+      solve_contact(contact, solids_, step_s, softness);
     }
+  }
+}
+
+void BodyWorld::sum_impulses() {
+  std::ranges::fill(std::span(pushed_).first(body_count_), Vec6::Zero());
+  for (const BodyContact& contact : std::span(contacts_).first(contact_count_)) {
+    add_impulses(contact, pushed_);
   }
 }
 
@@ -232,7 +252,7 @@ void BodyWorld::solve_contacts(double step_s, const ContactSoftness* softness) {
 void BodyWorld::move_bodies(double step_s) {
   for (std::uint32_t i = 0; i < body_count_; ++i) {
     RigidBody moving = bodies_[i];
-    const Vec6 impulse = solids_[i].pushed() + grips_.impulse_on(i, solids_);
+    const Vec6 impulse = pushed_[i] + grips_.impulse_on(i, solids_);
     moving.push(impulse.head<3>(), impulse.tail<3>());
     moved_[i] << moving.motion().velocity_W, moving.angular_velocity_W();
     const Mat3 before = bodies_[i].motion().rotation_WO;

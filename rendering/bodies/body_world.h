@@ -79,6 +79,9 @@ class BodyWorld {
   // found more than kMaxNearTriangles of a mesh near a body.
   [[nodiscard]] bool has_left_out_contacts() const { return left_out_; }
 
+  // Returns the number of contact points of the last step.
+  [[nodiscard]] std::size_t point_count() const;
+
   // Saves the state to the archive, or restores it; bodies and obstacles must be the same.
   void transfer(StateArchive& archive);
 
@@ -95,6 +98,8 @@ class BodyWorld {
   void sub_step(double step_s, bool is_last);
   // Solves all contacts, with recovery from overlaps or without (nullptr).
   void solve_contacts(double step_s, const ContactSoftness* softness);
+  // Sums up the impulses on the bodies in this sub-step.
+  void sum_impulses();
   // Moves the bodies by the velocities that are solved so far.
   void move_bodies(double step_s);
 
@@ -113,11 +118,12 @@ class BodyWorld {
   bool left_out_ = false;
 
   // Members that live for a step only.
-  std::array<BodyContact, kMaxBodyContacts> contacts_before_;
+  std::array<PastContact, kMaxBodyContacts> contacts_before_;
   std::size_t contact_count_before_ = 0;
   std::array<PlacedHull, kMostSolids> hulls_;
   std::array<SolverBody, kMostSolids> solids_;
   std::array<Shift, kMostSolids> shifts_;
+  std::array<Vec6, kMostSolids> pushed_;
   std::array<Vec6, kMaxBodies> moved_;
   MeshContact mesh_contact_;
   FieldContact field_contact_;

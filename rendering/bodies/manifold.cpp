@@ -15,6 +15,8 @@ namespace {
 constexpr std::size_t kMostCorners = PointChoice::kMost;
 // A face lies along a normal within about 3 degrees.
 constexpr double kAlong = 0.9986;
+// An overlap so small that any face that has it will do, m.
+constexpr double kShallow_m = 2e-5;
 
 // A polygon, or a segment, or a point.
 struct Polygon {
@@ -44,33 +46,31 @@ NearestFace nearest_face(const PlacedHull& hull, const Vec3& direction_W) {
   return best;
 }
 
-// Returns the part of a solid's vertices' hull that faces a direction: a face, or all vertices of a
+// Finds the part of a solid's vertices' hull that faces a direction: a face, or all vertices of a
 // hull without faces.
-Polygon facing(const PlacedHull& hull, const Vec3& direction_W) {
-  Polygon polygon;
+void facing(const PlacedHull& hull, const Vec3& direction_W, Polygon& polygon) {
   if (hull.hull().circles != nullptr) {
     // A side that rolls has one line at the bottom.
     const PlacedHull::RimPoints rim = hull.rim_points(-direction_W);
     if (rim.is_along_side) {
       polygon.add(rim.points[0]);
       polygon.add(rim.points[hull.hull().circles->radii_m[0] > 0.0 ? 4 : 1]);
-      return polygon;
+      return;
     }
   }
   if (hull.hull().faces.empty()) {
     std::ranges::for_each(hull.vertices_W(), [&](const Vec3& vertex) { polygon.add(vertex); });
-    return polygon;
+    return;
   }
   for (const std::uint8_t corner : hull.corners(nearest_face(hull, direction_W).face)) {
     polygon.add(hull.vertices_W()[corner]);
   }
-  return polygon;
 }
 
-// Cuts off what lies beyond the plane through `point` with the outward unit `normal` (Sutherland
-// and Hodgman, Communications of the ACM 17, 1974).
-Polygon cut(const Polygon& polygon, const Vec3& point, const Vec3& normal) {
-  Polygon inside;
+// Cuts off what lies beyond the plane through `point` with the outward `normal`, and writes the
+// rest to `inside` (Sutherland and Hodgman, Communications of the ACM 17, 1974).
+void cut(const Polygon& polygon, const Vec3& point, const Vec3& normal, Polygon& inside) {
+  inside.count = 0;
   for (std::size_t i = 0; i < polygon.count; ++i) {
     const Vec3& here = polygon.corners_W[i];
     const Vec3& next = polygon.corners_W[(i + 1) % polygon.count];
@@ -85,21 +85,24 @@ Polygon cut(const Polygon& polygon, const Vec3& point, const Vec3& normal) {
       inside.add(here + at_here / (at_here - at_next) * (next - here));
     }
   }
-  return inside;
 }
 
 // The points where the other solid stands on a face. `sign` is 1 if the face is A's, and -1 if it
 // is B's.
 Manifold on_face(const PlacedHull& owner, std::size_t face, const PlacedHull& other, double sign,
                  double margin_m) {
-  const Vec3 normal = owner.normal_W(face);
+  const Vec3& normal = owner.normal_W(face);
   const auto corners = owner.corners(face);
-  Polygon polygon = facing(other, -normal);
+  std::array<Polygon, 2> polygons;
+  facing(other, -normal, polygons[0]);
+  std::size_t now = 0;
   for (std::size_t i = 0; i < corners.size(); ++i) {
     const Vec3& from = owner.vertices_W()[corners[i]];
     const Vec3& to = owner.vertices_W()[corners[(i + 1) % corners.size()]];
-    polygon = cut(polygon, from, (to - from).cross(normal).normalized());
+    cut(polygons[now], from, (to - from).cross(normal), polygons[1 - now]);
+    now = 1 - now;
   }
+  const Polygon& polygon = polygons[now];
   PointChoice choice(sign * normal);
   const Vec3& corner = owner.vertices_W()[corners[0]];
   const double radius_owner = owner.hull().radius_m;
@@ -116,15 +119,73 @@ Manifold on_face(const PlacedHull& owner, std::size_t face, const PlacedHull& ot
   return choice.chosen();
 }
 
-}  // namespace
+// Hulls with as many faces and vertices as a box, whose faces are quickly compared.
+bool has_few_faces(const PlacedHull& hull) {
+  constexpr std::size_t kFew = 8;
+  return !hull.hull().faces.empty() && hull.hull().faces.size() <= kFew &&
+         hull.vertices_W().size() <= kFew && hull.hull().radius_m == 0.0;
+}
 
-Manifold manifold_of(const PlacedHull& a, const PlacedHull& b, double margin_m) {
-  const double reach = a.reach_m() + b.reach_m() + margin_m;
-  if ((b.middle_W() - a.middle_W()).squaredNorm() > reach * reach) {
+// The face beyond whose plane the other hull lies farthest, and how far; < 0 where it overlaps.
+struct FaceGap {
+  double gap_m = -std::numeric_limits<double>::infinity();
+  std::size_t face = 0;
+};
+// Returns it, or the first face with a gap beyond the margin.
+FaceGap widest_gap(const PlacedHull& owner, const PlacedHull& other, double margin_m) {
+  FaceGap widest;
+  for (std::size_t f = 0; f < owner.hull().faces.size(); ++f) {
+    const Vec3& normal = owner.normal_W(f);
+    double lowest = std::numeric_limits<double>::infinity();
+    for (const Vec3& vertex : other.vertices_W()) {
+      lowest = std::min(lowest, vertex.dot(normal));
+    }
+    const double gap = lowest - owner.vertices_W()[owner.corners(f).front()].dot(normal);
+    if (gap > widest.gap_m) {
+      widest = {.gap_m = gap, .face = f};
+      if (gap > margin_m) {
+        break;
+      }
+    }
+  }
+  return widest;
+}
+
+// Returns the points where a face of the other hull lies along this one; none if no face does.
+Manifold on_facing_face(const PlacedHull& owner, std::size_t face, const PlacedHull& other,
+                        double sign, double margin_m) {
+  if (nearest_face(other, -owner.normal_W(face)).cosine < kAlong) {
     return {};
   }
-  const HullSeparation apart = separation_of(a, b);
+  return on_face(owner, face, other, sign, margin_m);
+}
+
+}  // namespace
+
+// Boxes that stand on each other overlap by no more than the soft contacts leave: their faces are
+// then within kShallow_m of the best axis, and the search for that is left out.
+Manifold manifold_of(const PlacedHull& a, const PlacedHull& b, double margin_m) {
   const double radii = a.hull().radius_m + b.hull().radius_m;
+  const Vec3 reach = a.half_W() + b.half_W() + Vec3::Constant(radii + margin_m);
+  if (((b.middle_W() - a.middle_W()).cwiseAbs().array() > reach.array()).any()) {
+    return {};
+  }
+  if (has_few_faces(a) && has_few_faces(b)) {
+    const FaceGap of_a = widest_gap(a, b, margin_m);
+    const FaceGap of_b = of_a.gap_m > margin_m ? FaceGap{} : widest_gap(b, a, margin_m);
+    if (std::max(of_a.gap_m, of_b.gap_m) > margin_m) {
+      return {};
+    }
+    if (std::max(of_a.gap_m, of_b.gap_m) > -kShallow_m) {
+      const bool is_of_a = of_a.gap_m >= of_b.gap_m - kShallow_m;
+      const Manifold manifold = is_of_a ? on_facing_face(a, of_a.face, b, 1.0, margin_m)
+                                        : on_facing_face(b, of_b.face, a, -1.0, margin_m);
+      if (manifold.count > 0) {
+        return manifold;
+      }
+    }
+  }
+  const HullSeparation apart = separation_of(a, b);
   const double separation = apart.distance_m - radii;
   if (separation > margin_m) {
     return {};

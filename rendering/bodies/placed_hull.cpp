@@ -17,6 +17,10 @@ void PlacedHull::place(const ConvexHull& hull, const RigidPose& X_WO) {
     lower = lower.cwiseMin(vertices_W_[i]);
     upper = upper.cwiseMax(vertices_W_[i]);
   }
+  const std::size_t faces = std::min(hull.faces.size(), kMaxHullFaces);
+  for (std::size_t f = 0; f < faces; ++f) {
+    normals_W_[f] = rotation_ * hull.faces[f].normal_O;
+  }
   middle_W_ = 0.5 * (lower + upper);
   half_W_ = 0.5 * (upper - lower);
   double farthest = 0.0;

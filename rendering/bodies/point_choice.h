@@ -25,23 +25,26 @@ class PointChoice {
 
   void add(const ManifoldPoint& point) {
     if (count_ < kMost) {
-      points_[count_++] = point;
+      points_W_[count_] = point.point_W;
+      separations_m_[count_++] = point.separation_m;
     }
   }
 
   [[nodiscard]] Manifold chosen() const {
     Manifold manifold{.normal_W = normal_W_};
     if (count_ <= kManifoldPoints) {
-      std::copy_n(points_.begin(), count_, manifold.points.begin());
+      for (std::size_t i = 0; i < count_; ++i) {
+        manifold.points[i] = {.point_W = points_W_[i], .separation_m = separations_m_[i]};
+      }
       manifold.count = count_;
       return manifold;
     }
-    const Vec3 deepest = keep(manifold, [](const ManifoldPoint& p) { return -p.separation_m; });
+    const Vec3 deepest = keep(manifold, [&](std::size_t i) { return -separations_m_[i]; });
     const Vec3 farthest =
-        keep(manifold, [&](const ManifoldPoint& p) { return (p.point_W - deepest).squaredNorm(); });
+        keep(manifold, [&](std::size_t i) { return (points_W_[i] - deepest).squaredNorm(); });
     const Vec3 across = normal_W_.cross(farthest - deepest);
-    keep(manifold, [&](const ManifoldPoint& p) { return (p.point_W - deepest).dot(across); });
-    keep(manifold, [&](const ManifoldPoint& p) { return -(p.point_W - deepest).dot(across); });
+    keep(manifold, [&](std::size_t i) { return (points_W_[i] - deepest).dot(across); });
+    keep(manifold, [&](std::size_t i) { return -(points_W_[i] - deepest).dot(across); });
     return manifold;
   }
 
@@ -50,17 +53,27 @@ class PointChoice {
   // is.
   template <class Score>
   Vec3 keep(Manifold& manifold, const Score& score) const {
-    const auto end = points_.begin() + static_cast<std::ptrdiff_t>(count_);
-    const ManifoldPoint& best = *std::ranges::max_element(points_.begin(), end, {}, score);
-    const auto kept = std::span(manifold.points).first(manifold.count);
-    if (std::ranges::find(kept, best.point_W, &ManifoldPoint::point_W) == kept.end()) {
-      manifold.points[manifold.count++] = best;
+    std::size_t best = 0;
+    double highest = score(0);
+    for (std::size_t i = 1; i < count_; ++i) {
+      const double here = score(i);
+      if (here > highest) {
+        highest = here;
+        best = i;
+      }
     }
-    return best.point_W;
+    const auto kept = std::span(manifold.points).first(manifold.count);
+    if (std::ranges::find(kept, points_W_[best], &ManifoldPoint::point_W) == kept.end()) {
+      manifold.points[manifold.count++] = {.point_W = points_W_[best],
+                                           .separation_m = separations_m_[best]};
+    }
+    return points_W_[best];
   }
 
   Vec3 normal_W_;
-  std::array<ManifoldPoint, kMost> points_;
+  // Only the first `count_` are set: clearing the others would take longer than the choice.
+  std::array<Vec3, kMost> points_W_;
+  std::array<double, kMost> separations_m_;
   std::size_t count_ = 0;
 };
 

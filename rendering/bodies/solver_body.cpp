@@ -48,7 +48,6 @@ void SolverBody::take_obstacle(const Vec3& origin_W, const Twist& twist) {
 
 void SolverBody::begin(const RigidBody& body) {
   velocity_ << body.motion().velocity_W, body.angular_velocity_W();
-  pushed_.setZero();
   has_springs_ = false;
 }
 
@@ -60,23 +59,13 @@ void SolverBody::set_springs(const Mat6& inertia) {
   has_springs_ = true;
 }
 
-void SolverBody::push(const Vec3& impulse_W, const Vec3& arm_W) {
-  const Vec6 wrench = wrench_of(impulse_W, arm_W);
-  pushed_ += wrench;
-  accelerate(wrench);
-}
-
-double SolverBody::mobility(const Vec3& arm_W, const Vec3& direction_W) const {
-  const Vec6 wrench = wrench_of(direction_W, arm_W);
-  return wrench.dot(answer_to(wrench));
-}
-
 Vec6 SolverBody::answer_to(const Vec6& wrench) const {
   if (has_springs_) {
     return apparent_inverse_ * wrench;
   }
   Vec6 answer;
-  answer << inverse_mass_ * wrench.head<3>(), inverse_inertia_W_ * wrench.tail<3>();
+  answer.head<3>() = inverse_mass_ * wrench.head<3>();
+  answer.tail<3>() = inverse_inertia_W_ * wrench.tail<3>();
   return answer;
 }
 

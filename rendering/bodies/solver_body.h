@@ -17,7 +17,8 @@ using Mat6 = Eigen::Matrix<double, 6, 6>;
 // Returns an impulse at `arm_W` from the centre of mass with its torque.
 inline Vec6 wrench_of(const Vec3& impulse_W, const Vec3& arm_W) {
   Vec6 wrench;
-  wrench << impulse_W, arm_W.cross(impulse_W);
+  wrench.head<3>() = impulse_W;
+  wrench.tail<3>() = arm_W.cross(impulse_W);
   return wrench;
 }
 
@@ -43,22 +44,19 @@ class SolverBody {
     return velocity_.head<3>() + velocity_.tail<3>().cross(arm_W);
   }
   [[nodiscard]] const Vec6& velocity() const { return velocity_; }
-  // Returns the contacts' impulses in this sub-step.
-  [[nodiscard]] const Vec6& pushed() const { return pushed_; }
 
-  // Changes the velocities by an impulse with its torque; push() is that of a contact, and is
-  // counted.
+  // Changes the velocities by an impulse with its torque, or by what it would change.
   void accelerate(const Vec6& wrench) { velocity_ += answer_to(wrench); }
-  void push(const Vec3& impulse_W, const Vec3& arm_W);
+  void gain(const Vec6& velocity) { velocity_ += velocity; }
 
-  // Returns the gain in velocity along the unit `direction_W` at `arm_W` by an impulse of 1 N s
-  // along it, 1/kg.
-  [[nodiscard]] double mobility(const Vec3& arm_W, const Vec3& direction_W) const;
-
- private:
+  // Returns true if the body answers an impulse: an obstacle does not.
+  [[nodiscard]] bool can_move() const { return inverse_mass_ > 0.0; }
+  // Returns true if springs hold the body in this sub-step.
+  [[nodiscard]] bool has_springs() const { return has_springs_; }
   // Returns the change of the velocities by an impulse with its torque.
   [[nodiscard]] Vec6 answer_to(const Vec6& wrench) const;
 
+ private:
   Vec3 center_W_ = Vec3::Zero();
   double mass_kg_ = 0.0;
   double inverse_mass_ = 0.0;
@@ -68,7 +66,6 @@ class SolverBody {
   bool has_springs_ = false;
   Mat6 apparent_inverse_ = Mat6::Zero();
   Vec6 velocity_ = Vec6::Zero();
-  Vec6 pushed_ = Vec6::Zero();
 };
 
 }  // namespace tactus::rendering

@@ -17,10 +17,10 @@ void transfer_motion(StateArchive& archive, RigidBody& body) {
 
 // The next tick takes over impulses by the points' places.
 void transfer_contact(StateArchive& archive, BodyContact& contact, std::uint16_t solids) {
-  auto& [a, b, surface, normal_W, tangents_W, points, count] = contact;
+  auto& [a, b, pushes_a, surface, axes_W, points, count] = contact;
   archive.up_to(a, solids);
   archive.up_to(b, solids);
-  archive(normal_W, tangents_W);
+  archive(axes_W);
   archive.up_to(count, kManifoldPoints);
   for (std::size_t i = 0; i < count && archive.good(); ++i) {
     archive(points[i].arm_b_W, points[i].push, points[i].rub);
