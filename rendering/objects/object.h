@@ -21,6 +21,8 @@ namespace tactus::rendering {
 inline constexpr std::uint32_t kNoObject = 0xffffffff;
 // Numbers no body of a scene.
 inline constexpr std::uint8_t kNoBody = 0xff;
+// Numbers no tissue of a scene.
+inline constexpr std::uint8_t kNoTissue = 0xff;
 
 // The push-out of a textbook's method where none is given, m.
 inline constexpr double kDefaultPushOut_m = 1e-6;
@@ -60,6 +62,9 @@ struct Object {
   // The number of the ObjectBody (WorldConfig::bodies) that makes it a body, which moves by forces;
   // kNoBody for none. A body `moves`, shares the proxy, and has no motion of its own.
   std::uint8_t body = kNoBody;
+  // The number of the Tissue (WorldConfig::needle) that makes it a layer which a needle pierces;
+  // kNoTissue for none. A needle alone meets such an object; its method and material do nothing.
+  std::uint8_t tissue = kNoTissue;
 };
 
 // Returns the smallest axis-parallel box of the object, in the frame of the scene; for a plane the
@@ -73,9 +78,20 @@ bool usable(const Object& object);
 // material. Baking applies the same rules to the keys of a scene.
 bool can_render(ContactMethod method, const Object& object, const Material& material);
 
-// Returns true if the object shares the proxy with others, false if it gives its own force.
+// Returns true if the object is a layer that a needle pierces.
+inline bool is_tissue(const Object& object) {
+  return object.tissue != kNoTissue;
+}
+
+// Returns true if the object shares the proxy with others, false if it gives its own force or is
+// tissue.
 inline bool meets_proxy(const Object& object) {
-  return meets_proxy(object.method);
+  return meets_proxy(object.method) && !is_tissue(object);
+}
+
+// Returns true if the object gives its own force on the tool.
+inline bool is_independent(const Object& object) {
+  return !meets_proxy(object.method) && !is_tissue(object);
 }
 
 // Returns true if the object may change its place or shape.

@@ -9,7 +9,7 @@ namespace tactus::rendering {
 
 void SceneCapacityNeeds::add(const Object& object) {
   movers += is_mover(object) ? 1U : 0U;
-  independent += meets_proxy(object) ? 0U : 1U;
+  independent += is_independent(object) ? 1U : 0U;
   motion_units += is_mover(object) ? kCostOfMover : 0U;
   if (object.deforms) {
     motion_units += std::min(kWaveVertices, object.mesh.vertices.size()) / kVertexWavesPerUnit +
@@ -48,7 +48,7 @@ bool SceneObjects::set(std::span<const Object> objects) {
 std::size_t SceneObjects::count_independent() const {
   std::size_t count = 0;
   for (std::uint32_t i = 0; i < objects_.size(); ++i) {
-    count += meets_proxy((*this)[i]) ? 0U : 1U;
+    count += is_independent((*this)[i]) ? 1U : 0U;
   }
   return count;
 }
@@ -56,7 +56,7 @@ std::size_t SceneObjects::count_independent() const {
 void SceneObjects::group() {
   independent_count_ = 0;
   for (std::uint32_t i = 0; i < objects_.size(); ++i) {
-    if (!meets_proxy((*this)[i])) {
+    if (is_independent((*this)[i])) {
       independent_[independent_count_++] = i;
     }
   }
