@@ -59,6 +59,9 @@ inline constexpr std::size_t kRefitsPerUnit = 2;
 // An effect on one tool.
 inline constexpr std::size_t kCostOfEffect = 4;
 
+// A layer of tissue, for a needle that is in it or near it.
+inline constexpr std::size_t kCostOfNeedleLayer = 12;
+
 // The instructions of a unit, by callgrind: those of 3,000 ticks on the dragon over the units that
 // they spent.
 inline constexpr double kInstructionsPerUnit = 110.0;

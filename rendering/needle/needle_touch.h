@@ -56,6 +56,9 @@ class NeedleTouch {
   // Returns true if there are a needle and tissue.
   [[nodiscard]] bool any() const { return count_ > 0; }
 
+  // Returns the direction in which the needle pierces.
+  [[nodiscard]] const Vec3& axis_W() const { return scene_.needle.axis_W; }
+
   // Moves the tip to the tool, whose numbers are finite, and returns the force. Real time: bounded
   // time that grows with the layers.
   NeedleForce advance(const SceneObjects& scene, const ToolState& tool);

@@ -112,9 +112,10 @@ void Movers::transfer_one(StateArchive& archive, std::size_t k) {
 }
 
 void ToolTouch::transfer(StateArchive& archive, const SceneObjects& scene) {
-  [[maybe_unused]] auto& [radius_m, proxy, independent, last_proxy_W, spent, placed] = *this;
+  [[maybe_unused]] auto& [radius_m, proxy, independent, needle, last_proxy_W, spent, placed] = *this;
   proxy.transfer(archive, scene);
   independent.transfer(archive, scene);
+  needle.transfer(archive);
   archive(last_proxy_W, placed);
 }
 

@@ -16,8 +16,9 @@ bool valid(const ToolState& tool) {
 
 }  // namespace
 
-void ToolTouch::start(const SceneObjects& scene, double tool_radius_m) {
+void ToolTouch::start(const SceneObjects& scene, double tool_radius_m, const NeedleScene& needle) {
   radius_m_ = tool_radius_m;
+  needle_.start(scene, needle);
   proxy_.set_tool_radius(tool_radius_m);
   place(scene, last_proxy_W_);  // nothing of another scene is remembered
   reset();
@@ -57,8 +58,31 @@ Touch ToolTouch::touch(const SceneObjects& scene, const ToolState& tool, std::si
   touch.flags |= moved;
   independent_.add_to(touch, scene, tool, limit - std::min(limit, proxy_.spent()), watcher);
   spent_ = proxy_.spent() + independent_.spent();
+  if (needle_.any()) {
+    add_needle(touch, scene, tool);
+  }
   last_proxy_W_ = touch.proxy_W;
   return touch;
+}
+
+// The needle is what is touched where the shared proxy and the independent contacts touch nothing.
+// The god-object of a needle is at the surface that its tip presses in.
+void ToolTouch::add_needle(Touch& touch, const SceneObjects& scene, const ToolState& tool) {
+  const NeedleForce needle = needle_.advance(scene, tool);
+  spent_ += kCostOfNeedleLayer * needle_.layers().size();
+  touch.flags |= needle.has_left_out ? kTouchOverlap : kTouchClean;
+  touch.force_W += needle.force_W;
+  touch.parts.friction_W += needle.friction_W;
+  touch.parts.driven_power += needle.driven_power;
+  if (needle.object == kNoObject || touch.contact != ContactKind::none) {
+    return;
+  }
+  touch.contact = ContactKind::face;
+  touch.object = needle.object;
+  touch.friction = needle.friction;
+  touch.normal_W = -needle_.axis_W();
+  touch.depth_m = needle.depth_m;
+  touch.proxy_W = tool.p_W - needle.depth_m * needle_.axis_W();
 }
 
 void ToolTouch::take_method(const SceneObjects& scene, std::uint32_t object, bool met_proxy) {

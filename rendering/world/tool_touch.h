@@ -2,6 +2,7 @@
 // tool.
 #pragma once
 
+#include "rendering/needle/needle_touch.h"
 #include "rendering/objects/scene_objects.h"
 #include "rendering/state_archive.h"
 #include "rendering/touch.h"
@@ -12,14 +13,17 @@ namespace tactus::rendering {
 
 class TickWatcher;
 
-// The shared proxy and the independent contacts of one tool.
+// The shared proxy, the independent contacts and the needle of one tool.
 class ToolTouch {
  public:
-  // Sets the radius, >= 0, m, and starts over in a scene that may be another one.
-  void start(const SceneObjects& scene, double tool_radius_m);
+  // Sets the radius, >= 0, m, and the needle, and starts over in a scene that may be another one.
+  void start(const SceneObjects& scene, double tool_radius_m, const NeedleScene& needle);
 
   // Forgets the contact: the next touch starts with the proxies at the tool.
-  void reset() { placed_ = false; }
+  void reset() {
+    placed_ = false;
+    needle_.reset();
+  }
 
   // Computes one tick, within `limit` cost units (tick_budget.h); call it after
   // scene.begin_tick(). Real time: no heap, bounded time. `watcher` sees the moves
@@ -33,9 +37,12 @@ class ToolTouch {
   // Returns the planes by which the tool holds bodies after the last touch.
   [[nodiscard]] const ToolGrips& grips() const { return proxy_.grips(); }
 
+  // Returns the needle after the last touch.
+  [[nodiscard]] const NeedleTouch& needle() const { return needle_; }
+
   // Returns how far the proxy of an object was from the tool after the last touch, m.
   [[nodiscard]] double stretch_m(const SceneObjects& scene, std::uint32_t object) const {
-    if (!placed_) {
+    if (!placed_ || is_tissue(scene[object])) {
       return 0.0;
     }
     return meets_proxy(scene[object]) ? proxy_.stretch_m() : independent_.stretch_m(scene, object);
@@ -43,6 +50,9 @@ class ToolTouch {
 
   // Returns true if the tool touches or overlaps the object.
   [[nodiscard]] bool touches(const SceneObjects& scene, std::uint32_t object) const {
+    if (is_tissue(scene[object])) {
+      return needle_.touches(object);
+    }
     return placed_ && (meets_proxy(scene[object]) ? proxy_.touches(object)
                                                   : independent_.touches(scene, object));
   }
@@ -63,6 +73,8 @@ class ToolTouch {
  private:
   // Places all proxies at p_W, out of contact.
   void place(const SceneObjects& scene, const Vec3& p_W);
+  // Adds the force of the needle.
+  void add_needle(Touch& touch, const SceneObjects& scene, const ToolState& tool);
   // Adds the power that surfaces which deform give to the hand, W.
   void add_driven_power(Touch& touch, double tick_s) const;
 
@@ -70,6 +82,7 @@ class ToolTouch {
   double radius_m_ = 0.0;
   ProxyTouch proxy_;
   IndependentContacts independent_;
+  NeedleTouch needle_;
   // The proxy of the last touch (world frame, m), which an invalid tool gets again.
   Vec3 last_proxy_W_ = Vec3::Zero();
   // The cost units that the last touch has spent.

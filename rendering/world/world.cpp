@@ -28,7 +28,7 @@ bool World::set_scene(std::span<const Object> objects, const WorldConfig& config
   const bool good_config =
       is_tool_radius(config.tool_radius_m) && config.tool_count >= 1 &&
       config.tool_count <= tool_capacity() && config.effects.size() <= kMaxEffects &&
-      config.gravity_W.allFinite() &&
+      config.gravity_W.allFinite() && valid(config.needle, objects) &&
       std::ranges::all_of(config.effects, [](const Effect& effect) { return valid(effect); });
   bool good = scene_.set(good_config ? objects : std::span<const Object>{}) && good_config;
   if (!bodies_.set(scene_, config.bodies, config.gravity_W)) {
@@ -39,7 +39,8 @@ bool World::set_scene(std::span<const Object> objects, const WorldConfig& config
   tool_count_ = good ? config.tool_count : 1;
   effects_ = good ? config.effects : std::span<const Effect>{};
   for (std::size_t i = 0; i < tool_capacity(); ++i) {
-    slot(i).touch.start(scene_, good ? config.tool_radius_m : 0.0);
+    slot(i).touch.start(scene_, good ? config.tool_radius_m : 0.0,
+                        good ? config.needle : NeedleScene{});
   }
   reset();
   return good;
@@ -86,6 +87,9 @@ bool World::is_touched(std::uint32_t object) const {
 }
 
 bool World::may_set_method(std::uint32_t object, ContactMethod method) const {
+  if (is_tissue(scene_[object])) {
+    return false;
+  }
   const bool is_of_proxy = meets_proxy(scene_[object]) || meets_proxy(method);
   return !is_touched(object) &&
          (!is_of_proxy || !any_tool([](const ToolTouch& tool) { return !tool.has_free_proxy(); }));

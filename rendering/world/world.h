@@ -36,6 +36,9 @@ struct WorldConfig {
   std::span<const ObjectBody> bodies;
   // The gravity that acts on bodies, m/s^2; the default is the standard one, downward.
   Vec3 gravity_W = standard_gravity_W();
+  // The needle of every tool, and the tissues among the objects, each once. The caller keeps the
+  // tissues alive.
+  NeedleScene needle;
 };
 
 // Returns the most cost units (tick_budget.h) that a tick spends before the first contact: on
@@ -162,6 +165,11 @@ class World {
   // `watchers[i]` sees the moves of tools[i]; it may be null or missing.
   void touch(std::span<const ToolState> tools, std::span<Touch> touches,
              std::span<TickWatcher* const> watchers = {});
+
+  // Returns the needle of a tool after the last touch; `tool` must be in range.
+  [[nodiscard]] const NeedleTouch& needle(std::size_t tool = 0) const {
+    return slot(tool).touch.needle();
+  }
 
   // Returns the body of an object after the last touch, or nullptr.
   [[nodiscard]] const RigidBody* body(std::uint32_t object) const { return bodies_.of(object); }
