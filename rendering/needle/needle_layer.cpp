@@ -56,8 +56,7 @@ Vec3 NeedleLayer::hold_sideways(const Tissue& tissue, const NeedlePose& now, dou
   }
   length_m = length;
   energy.freed_J += before_J - sideways_J(tissue);
-  const Vec3 moved =
-      (now.tip_O - middle * now.axis_O) - (last.tip_O - middle * last.axis_O);
+  const Vec3 moved = (now.tip_O - middle * now.axis_O) - (last.tip_O - middle * last.axis_O);
   sideways_O += moved;
   sideways_O -= now.axis_O.dot(sideways_O) * now.axis_O;
   return -stiffness * length * sideways_O;

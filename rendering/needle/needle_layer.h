@@ -66,7 +66,8 @@ struct NeedleLayer {
 
   // Returns true if the tip has met the layer.
   [[nodiscard]] bool is_met() const { return phase != LayerPhase::away; }
-  // Returns the depth where the tissue of a layer begins, m: behind a surface that stays pressed in.
+  // Returns the depth where the tissue of a layer begins, m: behind a surface that stays pressed
+  // in.
   [[nodiscard]] double begin_m(const Tissue& tissue) const {
     return phase == LayerPhase::pierced ? tissue.residual_m : 0.0;
   }

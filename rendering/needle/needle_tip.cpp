@@ -10,8 +10,7 @@ void NeedleTip::let_go(const Needle& needle, NeedleEnergy& energy) {
   force_N = 0.0;
 }
 
-void NeedleTip::press(const Needle& needle, double travel_m, double level_N,
-                      NeedleEnergy& energy) {
+void NeedleTip::press(const Needle& needle, double travel_m, double level_N, NeedleEnergy& energy) {
   const double stiffness = needle.tip_stiffness_N_per_m;
   const double before_J = stored_J(needle);
   const double wanted_N = std::max(force_N + stiffness * travel_m, 0.0);

@@ -8,9 +8,8 @@ namespace {
 
 // Returns the crossings of an object's surface by a motion; frame O.
 SurfaceCrossing crossing_of(const Object& object, const Vec3& from_O, const Vec3& to_O) {
-  return object.surface == SurfaceKind::primitive
-             ? crossing_of(object.primitive, from_O, to_O)
-             : crossing_of(object.mesh, from_O, to_O);
+  return object.surface == SurfaceKind::primitive ? crossing_of(object.primitive, from_O, to_O)
+                                                  : crossing_of(object.mesh, from_O, to_O);
 }
 
 // Returns true if a point is within the box of the object; frame O.
@@ -36,17 +35,16 @@ bool is_within(const Object& object, const NeedlePose& needle_O) {
 // The recoil of a layer that has no surface to give way, m.
 constexpr double kLeastRecoil_m = 1e-12;
 
-bool may_be_pierced(const Object& object) {
-  return object.surface != SurfaceKind::implicit && !object.deforms && object.body == kNoBody;
-}
-
 }  // namespace
+
+bool may_be_pierced(const Object& object) {
+  return object.surface != SurfaceKind::implicit && !object.deforms && !is_body(object);
+}
 
 bool valid(const NeedleScene& needle, std::span<const Object> objects) {
   if (!valid(needle.needle) || needle.tissues.size() > kMaxTissues ||
-      !std::ranges::all_of(needle.tissues, [&](const Tissue& tissue) {
-        return valid(tissue, needle.needle);
-      })) {
+      !std::ranges::all_of(needle.tissues,
+                           [&](const Tissue& tissue) { return valid(tissue, needle.needle); })) {
     return false;
   }
   std::array<bool, kMaxTissues> taken{};
@@ -183,7 +181,7 @@ NeedleForce NeedleTouch::advance(const SceneObjects& scene, const ToolState& too
     force.driven_power += axial_W.dot(scene.velocity_W(force.object, tool.p_W));
     force.layers = static_cast<std::uint16_t>(met.count);
     const ShaftBristle& shaft = layers_[met.layers[met.pressed > 0 ? met.pressed - 1 : 0]].shaft;
-    force.friction = met.pressed == 0                        ? FrictionState::free
+    force.friction = met.pressed == 0                    ? FrictionState::free
                      : shaft.slips_in || shaft.slips_out ? FrictionState::slip
                                                          : FrictionState::stick;
   }
@@ -249,7 +247,8 @@ bool NeedleTouch::puncture(const SceneObjects& scene, const Vec3& tip_W, Order& 
     const double gives_way_m = puncture_depth_m(tissue);
     if (recoil.length_m > 0.0) {
       const double needed_J = membrane_energy_J(tissue, std::min(layer.depth_m, gives_way_m));
-      if (needed_J > recoil.available_J || membrane_N(order.layers[order.pressed]) > recoil.most_N) {
+      if (needed_J > recoil.available_J ||
+          membrane_N(order.layers[order.pressed]) > recoil.most_N) {
         // The recoil ends on this surface.
         layer.channel.entry_O += layer.depth_m * layer.channel.direction_O;
         layer.depth_m = 0.0;
@@ -361,15 +360,14 @@ double NeedleTouch::move_tip(const SceneObjects& scene, const Order& order, cons
     const std::size_t number = order.layers[place - 1];
     NeedleLayer& layer = layers_[number];
     const Tissue& tissue = tissue_of(number);
-    const double begin_m =
-        place == 1 ? layer.begin_m(tissue) : layer.depth_m - kWorldBound_m;
-    tip_.cut(tissue, needle,
-             {.depth_m = layer.depth_m,
-              .begin_m = begin_m,
-              .travel_m = layer.travel_m(pose_in(scene, number, tool.p_W)),
-              .v_m_per_s = (tool.v_W - scene.velocity_W(objects_[number], tool.p_W))
-                               .dot(needle.axis_W)},
-             scene.tick_s(), layer.channel.front_m, energy_);
+    const double begin_m = place == 1 ? layer.begin_m(tissue) : layer.depth_m - kWorldBound_m;
+    tip_.cut(
+        tissue, needle,
+        {.depth_m = layer.depth_m,
+         .begin_m = begin_m,
+         .travel_m = layer.travel_m(pose_in(scene, number, tool.p_W)),
+         .v_m_per_s = (tool.v_W - scene.velocity_W(objects_[number], tool.p_W)).dot(needle.axis_W)},
+        scene.tick_s(), layer.channel.front_m, energy_);
   }
   return tip_.force_N;
 }
@@ -390,13 +388,13 @@ void NeedleTouch::hold_shaft(const SceneObjects& scene, const Order& order, std:
     own_W = direction_from(scene.mover_of(objects_[number]), sideways_O);
   } else {
     const Stretch stretch = stretch_of(order, place);
-    const double axial_N = layer.shaft.advance(
-        tissue,
-        {.travel_m = layer.travel_m(now),
-         .v_m_per_s = (tool.v_W - surface_v_W).dot(scene_.needle.axis_W),
-         .length_before_m = layer.length_m,
-         .length_m = stretch.far_m - stretch.near_m},
-        energy_);
+    const double axial_N =
+        layer.shaft.advance(tissue,
+                            {.travel_m = layer.travel_m(now),
+                             .v_m_per_s = (tool.v_W - surface_v_W).dot(scene_.needle.axis_W),
+                             .length_before_m = layer.length_m,
+                             .length_m = stretch.far_m - stretch.near_m},
+                            energy_);
     const Vec3 friction_W = -axial_N * scene_.needle.axis_W;
     const Vec3 sideways_O =
         layer.hold_sideways(tissue, now, stretch.near_m, stretch.far_m, energy_);

@@ -23,8 +23,11 @@ struct NeedleScene {
   std::span<const Tissue> tissues;
 };
 
+// Returns true if a needle may pierce the object: a rigid mesh or primitive, and no body.
+bool may_be_pierced(const Object& object);
+
 // Returns true if the needle and all tissues are valid(), and if every object with a tissue names
-// one that is there, alone, and is a mesh or a primitive that does not deform.
+// one that is there, alone, and may_be_pierced().
 bool valid(const NeedleScene& needle, std::span<const Object> objects);
 
 // The force on the hand, N, world frame, and its parts.
@@ -122,8 +125,7 @@ class NeedleTouch {
   bool puncture(const SceneObjects& scene, const Vec3& tip_W, Order& order);
   void pierce(Order& order, Recoil& recoil);
   void crack(const Tissue& tissue, double length_m, Recoil& recoil);
-  static void load_shaft(const Tissue& tissue, double length_m, NeedleLayer& layer,
-                         Recoil& recoil);
+  static void load_shaft(const Tissue& tissue, double length_m, NeedleLayer& layer, Recoil& recoil);
   // Moves the tip, and returns its force with that of a surface that it presses in, N.
   double move_tip(const SceneObjects& scene, const Order& order, const ToolState& tool,
                   bool has_punctured);

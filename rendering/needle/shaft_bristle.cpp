@@ -75,14 +75,13 @@ double ShaftBristle::advance(const Tissue& tissue, const ShaftMotion& motion,
       .slides_at_N = length * tissue.out.dynamic_N_per_m};
   const bool goes_in = motion.travel_m > 0.0 || (motion.travel_m == 0.0 && force_N > 0.0);
   const double sign = goes_in ? 1.0 : -1.0;
-  const Step step =
-      stretch(sign * force_N, sign * motion.travel_m, stiffness, goes_in ? in : out);
+  const Step step = stretch(sign * force_N, sign * motion.travel_m, stiffness, goes_in ? in : out);
   force_N = sign * step.force_N;
   slips_in = goes_in ? step.slips || slips_in : slips_in;
   slips_out = goes_in ? slips_out : step.slips || slips_out;
   energy.friction_J += step.lost_J;
-  const double viscous = motion.v_m_per_s > 0.0 ? tissue.in.viscous_Ns_per_m2
-                                                : tissue.out.viscous_Ns_per_m2;
+  const double viscous =
+      motion.v_m_per_s > 0.0 ? tissue.in.viscous_Ns_per_m2 : tissue.out.viscous_Ns_per_m2;
   const double viscous_N = viscous * length * motion.v_m_per_s;
   energy.friction_J += viscous_N * motion.travel_m;
   return force_N + viscous_N;

@@ -38,7 +38,8 @@ class CrossingVisitor {
     const double u = volume(mesh_, from_, way_, corners[0], corners[1]);
     const double v = volume(mesh_, from_, way_, corners[1], corners[2]);
     const double w = volume(mesh_, from_, way_, corners[2], corners[0]);
-    const bool is_through = (u >= 0.0 && v >= 0.0 && w >= 0.0) || (u <= 0.0 && v <= 0.0 && w <= 0.0);
+    const bool is_through =
+        (u >= 0.0 && v >= 0.0 && w >= 0.0) || (u <= 0.0 && v <= 0.0 && w <= 0.0);
     if (is_through) {
       add(before / (before - after), before > 0.0);
     }

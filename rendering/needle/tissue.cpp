@@ -39,8 +39,8 @@ bool valid(const Tissue& tissue, const Needle& needle) {
           tissue.stiffness_N_per_m + tissue.stiffness_N_per_m2 > 0.0) &&
          in_range(tissue.cutting_force_N, kMostNeedleForce_N) &&
          in_range(tissue.toughness_J_per_m2, kMostNeedleStiffness) &&
-         fracture_force_N(tissue, needle) <= kSlack * tissue.cutting_force_N &&
-         valid(tissue.in) && valid(tissue.out) && tissue.shaft_stiffness_N_per_m2 > 0.0 &&
+         fracture_force_N(tissue, needle) <= kSlack * tissue.cutting_force_N && valid(tissue.in) &&
+         valid(tissue.out) && tissue.shaft_stiffness_N_per_m2 > 0.0 &&
          tissue.shaft_stiffness_N_per_m2 <= kMostNeedleStiffness &&
          in_range(tissue.lateral_stiffness_N_per_m2, kMostNeedleStiffness) &&
          in_range(tissue.relaxation_s, kMostNeedleForce_N) &&

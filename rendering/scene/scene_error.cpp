@@ -63,8 +63,14 @@ constexpr std::array kTexts{
          "bake the scene again",
          ""},
     Text{"more than 32 bodies; leave some out", "count"},
+    Text{"needle has a number that is out of range; bake the scene again", ""},
+    Text{
+        "tissue has a number that is out of range, or its object cannot be pierced; bake the scene "
+        "again",
+        ""},
+    Text{"more than 16 objects with tissue; leave some out", "count"},
 };
-static_assert(kTexts.size() == static_cast<std::size_t>(SceneFault::body_count) + 1);
+static_assert(kTexts.size() == static_cast<std::size_t>(SceneFault::tissue_count) + 1);
 
 const Text& text_of(SceneFault fault) {
   return kTexts[static_cast<std::size_t>(fault)];

@@ -51,6 +51,9 @@ enum class SceneFault : std::uint8_t {
   effect_law,         // a law that this controller does not have; place: effect
   body,               // a mass, hull or number out of range, or an object that cannot be one
   body_count,         // more than kMaxBodies; place: number found
+  needle,             // a number of the needle out of range
+  tissue,             // a number out of range, or of an object that cannot be pierced
+  tissue_count,       // more than kMaxTissues; place: number found
 };
 
 // A name from an image, for a message: the first 31 characters, with ? for those that are not

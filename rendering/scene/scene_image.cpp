@@ -23,6 +23,9 @@ static_assert(offsetof(BvhNode, first) == 12 && offsetof(BvhNode, upper) == 16 &
               offsetof(BvhNode, triangle_count) == 28);
 static_assert(offsetof(TextureLayer, width) == 4 && offsetof(TextureLayer, first_byte) == 12 &&
               offsetof(TextureLayer, high) == 32);
+static_assert(sizeof(Tissue) == 15 * sizeof(double) && offsetof(Tissue, in) == 48 &&
+              offsetof(Tissue, shaft_stiffness_N_per_m2) == 96 &&
+              sizeof(Needle) == 6 * sizeof(double) && offsetof(Needle, length_m) == 24);
 static_assert(std::to_underlying(image::Sides::one) == std::to_underlying(Sides::one) &&
               std::to_underlying(image::Sides::two) == std::to_underlying(Sides::two));
 
@@ -182,6 +185,12 @@ Result SceneImage::take(const image::Scene& scene) {
     return effects;
   }
   gravity_W_ = read_gravity(scene.gravity());
+  if (scene.needle() != nullptr) {
+    needle_ = *in_place<Needle>(scene.needle());
+  }
+  if (!valid(needle_)) {
+    return fail(SceneFault::needle);
+  }
   object_count_ = scene.objects()->size();
   if (object_count_ == 0 || object_count_ > kMaxObjects) {
     return fail(SceneFault::object_count, object_count_);
@@ -251,6 +260,9 @@ Result SceneImage::take_object(const image::Object& object, std::size_t index) {
   if (const Result body = take_body(object.body(), taken); !body) {
     return body;
   }
+  if (const Result tissue = take_tissue(object.tissue(), taken); !tissue) {
+    return tissue;
+  }
   if (!is_aligned(object.textures())) {
     return fail(SceneFault::malformed);
   }
@@ -277,6 +289,22 @@ Result SceneImage::take_body(const image::Body* stored, Object& object) {
   }
   object.body = static_cast<std::uint8_t>(body_count_);
   bodies_[body_count_++] = *body;
+  return {};
+}
+
+Result SceneImage::take_tissue(const image::Tissue* stored, Object& object) {
+  if (stored == nullptr) {
+    return {};
+  }
+  if (tissue_count_ == kMaxTissues) {
+    return fail(SceneFault::tissue_count, kMaxTissues + 1);
+  }
+  const Tissue& tissue = *in_place<Tissue>(stored);
+  if (!valid(tissue, needle_) || !may_be_pierced(object)) {
+    return fail(SceneFault::tissue);
+  }
+  object.tissue = static_cast<std::uint8_t>(tissue_count_);
+  tissues_[tissue_count_++] = tissue;
   return {};
 }
 

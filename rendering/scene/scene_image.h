@@ -11,6 +11,7 @@
 
 #include "rendering/effects/effect.h"
 #include "rendering/limits.h"
+#include "rendering/needle/needle_touch.h"
 #include "rendering/objects/object.h"
 #include "rendering/objects/object_body.h"
 #include "rendering/scene/mesh_check.h"
@@ -70,6 +71,11 @@ class SceneImage {
   // Returns the gravity that acts on bodies, m/s^2.
   [[nodiscard]] const Vec3& gravity_W() const { return gravity_W_; }
 
+  // Returns the needle of the tools, and the tissues, to which the objects refer.
+  [[nodiscard]] NeedleScene needle() const {
+    return {.needle = needle_, .tissues = std::span(tissues_).first(tissue_count_)};
+  }
+
   // Returns the scene's effects: at most kMaxEffects, all valid.
   [[nodiscard]] std::span<const Effect> effects() const {
     return std::span(effects_).first(effect_count_);
@@ -82,11 +88,13 @@ class SceneImage {
 
  private:
   SceneImage() = default;
-  // Check a part of the payload and take its views; take() calls the others. A body may be nullptr.
+  // Check a part of the payload and take its views; take() calls the others. A body and a tissue
+  // may be nullptr.
   std::expected<void, SceneError> take(const image::Scene& scene);
   std::expected<void, SceneError> take_effects(const image::Scene& scene);
   std::expected<void, SceneError> take_object(const image::Object& object, std::size_t index);
   std::expected<void, SceneError> take_body(const image::Body* stored, Object& object);
+  std::expected<void, SceneError> take_tissue(const image::Tissue* stored, Object& object);
 
   // The payload, in the bytes given to `open`.
   const image::Scene* scene_ = nullptr;
@@ -101,6 +109,9 @@ class SceneImage {
   Vec3 gravity_W_ = standard_gravity_W();
   std::size_t body_count_ = 0;
   std::array<ObjectBody, kMaxBodies> bodies_{};
+  Needle needle_;
+  std::size_t tissue_count_ = 0;
+  std::array<Tissue, kMaxTissues> tissues_{};
 };
 
 }  // namespace tactus::rendering

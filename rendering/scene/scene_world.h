@@ -11,7 +11,8 @@ inline WorldConfig world_of(const SceneImage& scene) {
   return {.tool_radius_m = scene.tool_radius_m(),
           .effects = scene.effects(),
           .bodies = scene.bodies(),
-          .gravity_W = scene.gravity_W()};
+          .gravity_W = scene.gravity_W(),
+          .needle = scene.needle()};
 }
 
 }  // namespace tactus::rendering

@@ -112,7 +112,8 @@ void Movers::transfer_one(StateArchive& archive, std::size_t k) {
 }
 
 void ToolTouch::transfer(StateArchive& archive, const SceneObjects& scene) {
-  [[maybe_unused]] auto& [radius_m, proxy, independent, needle, last_proxy_W, spent, placed] = *this;
+  [[maybe_unused]] auto& [radius_m, proxy, independent, needle, last_proxy_W, spent, placed] =
+      *this;
   proxy.transfer(archive, scene);
   independent.transfer(archive, scene);
   needle.transfer(archive);

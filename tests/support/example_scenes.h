@@ -6,10 +6,11 @@
 
 namespace tactus::testing {
 
-inline constexpr std::array kExampleScenes{"ramp",    "primitives", "heart",      "thin_plate",
-                                           "grating", "stone",      "tiles",      "shaded_cylinder",
-                                           "effects", "paddle",     "membrane",   "friction",
-                                           "wall",    "gem",        "shapes",     "notch",
-                                           "grasp",   "stack",      "turned_ball"};
+inline constexpr std::array kExampleScenes{
+    "ramp",    "primitives", "heart",       "thin_plate",
+    "grating", "stone",      "tiles",       "shaded_cylinder",
+    "effects", "paddle",     "membrane",    "friction",
+    "wall",    "gem",        "shapes",      "notch",
+    "grasp",   "stack",      "turned_ball", "epidural"};
 
 }  // namespace tactus::testing

@@ -225,7 +225,8 @@ BakedImage bake_scene(const SceneDescription& description, const Progress& progr
                    .tool_count = description.tool_count,
                    .objects = {},
                    .effects = description.effects,
-                   .gravity_W = description.gravity_W};
+                   .gravity_W = description.gravity_W,
+                   .needle = description.needle};
   // Counted twice: first without the sizes of meshes, so that a scene with too many objects is
   // refused before minutes of baking, then with them.
   rendering::SceneCapacityNeeds needs;
@@ -243,6 +244,7 @@ BakedImage bake_scene(const SceneDescription& description, const Progress& progr
     baked.objects.push_back(is_touched_as_mesh(object)
                                 ? bake_object(object, description.file, own, progress)
                                 : bake_shape(object, description.file, own, progress));
+    baked.objects.back().tissue = object.tissue;
     add_body(object, description.file, baked.objects.back(), own);
     warn_of_passage(baked.objects.back(), is_with_bodies, own);
     std::ranges::move(friction_warnings(object, description), std::back_inserter(own.warnings));

@@ -139,6 +139,20 @@ Offset<image::Body> write_body(FlatBufferBuilder& builder, const std::optional<B
                            edges);
 }
 
+std::optional<image::Tissue> write_tissue(const std::optional<rendering::Tissue>& tissue) {
+  if (!tissue) {
+    return std::nullopt;
+  }
+  const auto friction = [](const rendering::ShaftFriction& f) {
+    return image::ShaftFriction(f.static_N_per_m, f.dynamic_N_per_m, f.viscous_Ns_per_m2);
+  };
+  return image::Tissue(tissue->stiffness_N_per_m, tissue->stiffness_N_per_m2,
+                       tissue->puncture_force_N, tissue->residual_m, tissue->cutting_force_N,
+                       tissue->toughness_J_per_m2, friction(tissue->in), friction(tissue->out),
+                       tissue->shaft_stiffness_N_per_m2, tissue->lateral_stiffness_N_per_m2,
+                       tissue->relaxation_s);
+}
+
 Offset<image::Object> write_object(FlatBufferBuilder& builder, const BakedObject& object) {
   const auto mesh = write_mesh(builder, object.mesh);
   const auto material = write_material(builder, object.material);
@@ -147,13 +161,14 @@ Offset<image::Object> write_object(FlatBufferBuilder& builder, const BakedObject
   const auto shape = write_shape(builder, object);
   const std::optional<image::Motion> motion = write_motion(object.motion.motion);
   const auto body = write_body(builder, object.body);
+  const std::optional<image::Tissue> tissue = write_tissue(object.tissue);
   const auto layers = write_optional<image::TextureLayer>(builder, object.textures.layers);
   const auto texels = object.textures.texels.empty() ? Offset<flatbuffers::Vector<std::uint8_t>>{}
                                                      : builder.CreateVector(object.textures.texels);
-  return image::CreateObject(builder, name, sides, material, mesh,
-                             static_cast<std::uint8_t>(object.contact), shape_type(object.shape),
-                             shape, object.motion.moves, layers, texels, object.motion.deforms,
-                             motion ? &*motion : nullptr, object.push_out_m, body);
+  return image::CreateObject(
+      builder, name, sides, material, mesh, static_cast<std::uint8_t>(object.contact),
+      shape_type(object.shape), shape, object.motion.moves, layers, texels, object.motion.deforms,
+      motion ? &*motion : nullptr, object.push_out_m, body, tissue ? &*tissue : nullptr);
 }
 
 // Returns an upper bound of the image's size, so that the builder reserves memory once.
@@ -208,9 +223,14 @@ std::vector<std::byte> write_image(const BakedScene& scene) {
   const auto effects = write_effects(builder, scene.effects);
   const std::optional<image::Double3> gravity =
       scene.gravity_W ? std::optional(stored(*scene.gravity_W)) : std::nullopt;
+  std::optional<image::Needle> needle;
+  if (scene.needle) {
+    needle = image::Needle(stored(scene.needle->axis_W), scene.needle->length_m,
+                           scene.needle->width_m, scene.needle->tip_stiffness_N_per_m);
+  }
   const auto root = image::CreateScene(builder, scene.tool_radius_m, builder.CreateVector(objects),
                                        static_cast<std::uint8_t>(scene.tool_count), effects,
-                                       gravity ? &*gravity : nullptr);
+                                       gravity ? &*gravity : nullptr, needle ? &*needle : nullptr);
   image::FinishSceneBuffer(builder, root);
   return with_header({builder.GetBufferPointer(), builder.GetSize()});
 }

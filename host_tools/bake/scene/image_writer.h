@@ -13,6 +13,7 @@
 #include "host_tools/bake/scene/motion_description.h"
 #include "host_tools/bake/scene/shape_description.h"
 #include "rendering/effects/effect.h"
+#include "rendering/needle/tissue.h"
 #include "rendering/objects/object.h"
 
 namespace tactus::host {
@@ -47,6 +48,8 @@ struct BakedObject {
   MotionDescription motion;
   // The body that moves by forces; nothing for an object that is none.
   std::optional<BakedBody> body = std::nullopt;
+  // What makes it a layer that a needle pierces; nothing for others.
+  std::optional<rendering::Tissue> tissue = std::nullopt;
 };
 
 // All that goes into an image.
@@ -59,6 +62,8 @@ struct BakedScene {
   std::vector<rendering::Effect> effects;
   // The gravity that acts on bodies, m/s^2; nothing for the earth's, downward.
   std::optional<Vec3> gravity_W = std::nullopt;
+  // The needle of every tool; nothing for tools without one.
+  std::optional<rendering::Needle> needle = std::nullopt;
 };
 
 // Returns the bytes that an object's arrays take in the image.

@@ -23,7 +23,8 @@ namespace {
 constexpr std::array kSceneKeys{KeySpec{"tool", ""}, KeySpec{"object", ""}, KeySpec{"effect", ""},
                                 KeySpec{"device", ""}, KeySpec{"world", ""}};
 constexpr std::array kWorldKeys{KeySpec{"gravity_m_per_s2", "m_per_s2"}};
-constexpr std::array kToolKeys{KeySpec{"radius_m", "m"}, KeySpec{"count", ""}};
+constexpr std::array kToolKeys{KeySpec{"radius_m", "m"}, KeySpec{"count", ""},
+                               KeySpec{"needle", ""}};
 // The keys of an [[object]] that do not depend on its shape.
 constexpr std::array kOwnKeys{
     KeySpec{"name", ""},
@@ -48,6 +49,7 @@ constexpr std::array kOwnKeys{
     KeySpec{"deforms", ""},
     KeySpec{"motion", ""},
     KeySpec{"body", ""},
+    KeySpec{"tissue", ""},
 };
 
 // Returns the keys of an object: its own and those of its shape.
@@ -104,7 +106,8 @@ MeshBakeOptions read_mesh_options(const TomlSection& section) {
 
 // Reads one [[object]]. A relative path of the mesh begins at `folder`, the scene file's own.
 ObjectDescription read_object(const toml::table& table, std::size_t index, std::string_view file,
-                              const std::filesystem::path& folder) {
+                              const std::filesystem::path& folder,
+                              const std::optional<rendering::Needle>& needle) {
   const std::vector<KeySpec> keys = object_keys();
   const TomlSection section(table, file, fmt::format("object {}", index + 1), keys);
   ObjectDescription object;
@@ -135,6 +138,7 @@ ObjectDescription read_object(const toml::table& table, std::size_t index, std::
   const ShapeDescription touched = is_meshed ? ShapeDescription{} : object.shape;
   object.motion = read_motion(section, file, touched, object.contact, object.placement.position_m);
   object.body = read_body(section, file, object.contact, object.motion);
+  object.tissue = read_tissue(section, file, touched, object.motion, needle);
   object.detail = read_detail(section, file, folder, touched, object.contact);
   object.flip = read_flip(section);
   object.mesh_options = read_mesh_options(section);
@@ -205,6 +209,7 @@ SceneDescription parse_scene_description(std::string_view text, const std::files
                                   scene.tool_radius_m, rendering::kMaxToolRadius_m));
     }
     scene.tool_count = tool_section.count("count", rendering::kMaxTools).value_or(1);
+    scene.needle = read_needle(tool_section, scene.file);
   }
   if (const toml::table* world = section.table("world")) {
     const TomlSection world_section(*world, scene.file, "[world]", kWorldKeys);
@@ -221,9 +226,15 @@ SceneDescription parse_scene_description(std::string_view text, const std::files
   for (const toml::node& node : object_array(root, section)) {
     const toml::table& table = *node.as_table();
     ObjectDescription object =
-        read_object(table, scene.objects.size(), scene.file, path.parent_path());
+        read_object(table, scene.objects.size(), scene.file, path.parent_path(), scene.needle);
     require_distinct_name(scene.objects, object.name, scene.file, table.source().begin.line);
     scene.objects.push_back(std::move(object));
+  }
+  const auto tissues = std::ranges::count_if(
+      scene.objects, [](const ObjectDescription& object) { return object.tissue.has_value(); });
+  if (tissues > static_cast<std::ptrdiff_t>(rendering::kMaxTissues)) {
+    section.fail("object", fmt::format("{} objects with tissue, where {} fit; leave some out",
+                                       tissues, rendering::kMaxTissues));
   }
   return scene;
 }

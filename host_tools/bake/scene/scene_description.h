@@ -13,6 +13,7 @@
 #include "host_tools/bake/scene/detail_description.h"
 #include "host_tools/bake/scene/mesh_bake.h"
 #include "host_tools/bake/scene/motion_description.h"
+#include "host_tools/bake/scene/needle_description.h"
 #include "host_tools/bake/scene/placement.h"
 #include "host_tools/bake/scene/shape_description.h"
 #include "host_tools/bake/scene/target_device.h"
@@ -48,6 +49,8 @@ struct ObjectDescription {
   MotionDescription motion;
   // The body that moves by forces; nothing for an object that is none.
   std::optional<BodyDescription> body;
+  // What makes it a layer that a needle pierces; nothing for others.
+  std::optional<rendering::Tissue> tissue;
   // Shading and textures.
   DetailDescription detail;
 };
@@ -61,6 +64,8 @@ struct SceneDescription {
   std::size_t tool_count = 1;
   // The gravity that acts on bodies, m/s^2; nothing for the earth's, downward.
   std::optional<Vec3> gravity_W;
+  // The needle of every tool; nothing for tools without one.
+  std::optional<rendering::Needle> needle;
   // The device for which the friction is checked.
   TargetDevice device;
   // At least one.

@@ -9,8 +9,8 @@
 
 namespace tactus::rendering::testing {
 
-// The tissue of tests/reference/needle_reference_trace.csv, in SI units. Its toughness is not given:
-// it is taken as 0. The springs are stiffer than a device allows, since the trace has none.
+// The tissue of tests/reference/needle_reference_trace.csv, in SI units. Its toughness is not
+// given: it is taken as 0. The springs are stiffer than a device allows, since the trace has none.
 inline Tissue reference_tissue() {
   return {.stiffness_N_per_m = 20.0,
           .stiffness_N_per_m2 = 8000.0,
@@ -76,8 +76,7 @@ class NeedleBench {
   // Moves straight at a speed; the last step ends at the depth.
   const NeedleForce& go_to_depth(double depth_m, double v_m_per_s) {
     const double from_m = has_begun_ ? -p_W_.y() : depth_m;
-    const auto steps =
-        static_cast<int>(std::abs(depth_m - from_m) / (v_m_per_s * tick_s_) + 0.5);
+    const auto steps = static_cast<int>(std::abs(depth_m - from_m) / (v_m_per_s * tick_s_) + 0.5);
     for (int i = 1; i <= steps; ++i) {
       to_depth(from_m + (depth_m - from_m) * i / steps);
     }

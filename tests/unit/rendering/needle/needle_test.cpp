@@ -23,7 +23,7 @@ double crack_energy_J(const NeedleBench& bench, const Tissue& tissue) {
 
 // Row by row; ten ticks between two rows.
 TEST(Needle, FollowsTheReferenceTrace) {
-  const Csv trace("needle_reference_trace");
+  const Csv trace("needle_reference_trace.csv");
   Needle needle = kNeedle;
   needle.tip_stiffness_N_per_m = 1e6;
   NeedleBench bench({block(0.0, 0)}, {reference_tissue()}, needle);
