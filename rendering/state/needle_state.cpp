@@ -8,43 +8,43 @@
 namespace tactus::rendering {
 namespace {
 
-// The least force, N, in numbers that no scene makes and that stay finite in squares.
+// Returns true for a number that stays finite in squares; no scene makes a larger one.
 bool is_small(double value) {
   return value >= -1e6 && value <= 1e6;
 }
 
-void transfer(StateArchive& archive, NeedleChannel& channel) {
+void transfer_channel(StateArchive& archive, NeedleChannel& channel) {
   auto& [entry_O, direction_O, front_m, exists] = channel;
   archive(entry_O, direction_O, front_m, exists);
   archive.require(is_small(entry_O.cwiseAbs().maxCoeff()) && is_small(front_m) &&
                   direction_O.squaredNorm() <= 1.0 + 1e-6);
 }
 
-void transfer(StateArchive& archive, ShaftBristle& shaft) {
+void transfer_shaft(StateArchive& archive, ShaftBristle& shaft) {
   auto& [force_N, slips_in, slips_out] = shaft;
   archive(force_N, slips_in, slips_out);
   archive.require(is_small(force_N));
 }
 
-void transfer(StateArchive& archive, NeedlePose& pose) {
+void transfer_pose(StateArchive& archive, NeedlePose& pose) {
   auto& [tip_O, axis_O] = pose;
   archive(tip_O, axis_O);
 }
 
-void transfer(StateArchive& archive, NeedleEnergy& energy) {
+void transfer_account(StateArchive& archive, NeedleEnergy& energy) {
   auto& [fracture_J, crack_m2, friction_J, freed_J] = energy;
   archive(fracture_J, crack_m2, friction_J, freed_J);
 }
 
-void transfer(StateArchive& archive, NeedleLayer& layer) {
+void transfer_layer(StateArchive& archive, NeedleLayer& layer) {
   auto& [phase, is_left_out, is_inside, is_left, exit_m, depth_m, length_m, channel, shaft,
          sideways_O, last] = layer;
   archive.choice(phase, LayerPhase::pierced);
   archive(is_left_out, is_inside, is_left, exit_m, depth_m, length_m);
-  transfer(archive, channel);
-  transfer(archive, shaft);
+  transfer_channel(archive, channel);
+  transfer_shaft(archive, shaft);
   archive(sideways_O);
-  transfer(archive, last);
+  transfer_pose(archive, last);
   archive.require(is_small(exit_m) && is_small(depth_m) && length_m >= 0.0 && is_small(length_m) &&
                   is_small(sideways_O.cwiseAbs().maxCoeff()));
 }
@@ -61,9 +61,9 @@ void NeedleTouch::transfer(StateArchive& archive) {
   }
   archive(is_placed, tip.force_N);
   archive.require(tip.force_N >= 0.0 && is_small(tip.force_N));
-  rendering::transfer(archive, energy);
+  transfer_account(archive, energy);
   for (NeedleLayer& layer : std::span(layers).first(count)) {
-    rendering::transfer(archive, layer);
+    transfer_layer(archive, layer);
   }
 }
 
