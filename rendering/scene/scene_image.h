@@ -23,6 +23,7 @@ namespace image {
 struct Body;
 struct Object;
 struct Scene;
+struct Tissue;
 }  // namespace image
 
 // The counts of the repairs that baking made to one mesh.

@@ -98,7 +98,7 @@ class NeedleBench {
   }
   [[nodiscard]] const NeedleTouch& touch() const { return touch_; }
   [[nodiscard]] NeedleTouch& touch() { return touch_; }
-  [[nodiscard]] const SceneObjects& scene() const { return *scene_; }
+  [[nodiscard]] SceneObjects& scene() { return *scene_; }
 
  private:
   std::vector<Object> objects_;

@@ -6,6 +6,8 @@
 #include <numbers>
 #include <random>
 
+#include <Eigen/Geometry>
+
 #include "tests/support/csv.h"
 #include "tests/unit/rendering/needle/needle_bench.h"
 
@@ -229,6 +231,60 @@ TEST(Needle, LayerThatItBeginsInIsFeltOnceItHasBeenOut) {
   bench.go_to_depth(-0.001, kSlow_m_per_s);
   bench.go_to_depth(0.002, kSlow_m_per_s);
   EXPECT_GT(bench.axial_N(), 0.0);
+}
+
+// The layer turns about the point where the needle came in: the needle, whose axis stays, is another
+// one to it.
+TEST(Needle, ChangeOfDirectionBendsTheShaftAndLeavesTheOldChannel) {
+  Object turning = block(0.0, 0);
+  turning.moves = true;
+  const Tissue tissue = balanced_tissue();
+  NeedleBench bench({turning}, {tissue}, kNeedle);
+  bench.to_depth(-1e-3);
+  bench.go_to_depth(0.04, kSlow_m_per_s);
+  const double crack_m2 = bench.touch().energy().crack_m2;
+  const auto turn_to = [&](double angle) {
+    const Mat3 rotation = Eigen::AngleAxisd(angle, Vec3::UnitZ()).toRotationMatrix();
+    ASSERT_TRUE(bench.scene().set_pose(0, {rotation, Vec3::Zero()}, {}));
+  };
+  constexpr double kAngle = 0.1;
+  for (int i = 1; i <= 100; ++i) {
+    turn_to(kAngle * i / 100.0);
+    bench.to_depth(0.04);
+  }
+  // The tissue carries the middle of the shaft along.
+  const double length_m = 0.04 - tissue.residual_m;
+  const double aside_m = (0.04 - 0.5 * length_m) * std::sin(kAngle);
+  const double stiffness = tissue.lateral_stiffness_N_per_m2 * length_m;
+  EXPECT_NEAR(bench.to_depth(0.04).force_W.x(), stiffness * aside_m, 0.02 * stiffness * aside_m);
+  EXPECT_EQ(bench.touch().energy().crack_m2, crack_m2);
+  bench.go_to_depth(-1e-3, kSlow_m_per_s);
+  bench.go_to_depth(0.03, kSlow_m_per_s);
+  EXPECT_NEAR(bench.touch().energy().crack_m2 - crack_m2,
+              kNeedle.width_m * (0.03 - tissue.residual_m), 0.05 * kNeedle.width_m * 0.03)
+      << "the channel of another direction is cut anew";
+}
+
+// Thin layers lie before the depth at which the outermost gives way.
+TEST(Needle, RecoilPiercesOnlyWhatItsEnergyPaysFor) {
+  for (const double inner_scale : {0.05, 20.0}) {
+    Tissue outer = balanced_tissue();
+    outer.residual_m = 0.0;
+    outer.cutting_force_N = 0.1;
+    outer.toughness_J_per_m2 = 20.0;
+    NeedleBench bench({block(0.0, 0), block(-0.002, 1, -0.19)},
+                      {outer, balanced_tissue(inner_scale)}, kNeedle);
+    bench.to_depth(-1e-3);
+    double most_N = 0.0;
+    for (double depth_m = 0.0; depth_m < puncture_depth_m(outer) + 1e-5; depth_m += 3e-6) {
+      most_N = std::max(most_N, bench.to_depth(depth_m).force_W.y());
+    }
+    const auto layers = bench.touch().layers();
+    EXPECT_EQ(layers[0].phase, LayerPhase::pierced);
+    EXPECT_EQ(layers[1].phase, inner_scale < 1.0 ? LayerPhase::pierced : LayerPhase::pressed);
+    EXPECT_LE(bench.axial_N(), most_N);
+    EXPECT_NEAR(bench.accounted_J(), bench.work_J(), 1e-3 * bench.work_J());
+  }
 }
 
 }  // namespace
