@@ -73,21 +73,48 @@ class CrossingVisitor {
   double last_ = -1.0;
 };
 
-// Returns the share of the way at which a motion from outside reaches the surface, by steps of the
-// distance; 1 if it does not.
-double first_hit(const Primitive& primitive, const Vec3& from, const Vec3& to) {
-  constexpr int kMostSteps = 64;
-  constexpr double kClose_m = 1e-9;
-  const double length = (to - from).norm();
-  double share = 0.0;
-  for (int i = 0; i < kMostSteps && share < 1.0; ++i) {
-    const double distance = sample(primitive, from + share * (to - from)).distance_m;
-    if (distance <= kClose_m) {
-      return share;
-    }
-    share += distance / length;
+// Returns the share of the way between one outside and one inside at which it crosses.
+double halved(const Primitive& primitive, const Vec3& from, const Vec3& way, double outside,
+              double inside) {
+  constexpr int kHalvings = 40;
+  for (int i = 0; i < kHalvings; ++i) {
+    const double middle = 0.5 * (outside + inside);
+    (sample(primitive, from + middle * way).distance_m < 0.0 ? inside : outside) = middle;
   }
-  return std::min(share, 1.0);
+  return inside;
+}
+
+// Returns the share of the way at which a motion from outside reaches the surface; 1 if it does
+// not. It steps by the distance, which never passes the surface, or as far as the last two
+// distances fall to 0 on a line, which does not pass that of a convex solid.
+double first_hit(const Primitive& primitive, const Vec3& from, const Vec3& to) {
+  constexpr int kMostSteps = 40;
+  constexpr double kClose_m = 1e-9;
+  const Vec3 way = to - from;
+  const double length = way.norm();
+  double before = 0.0;
+  double before_m = sample(primitive, from).distance_m;
+  double share = before_m / length;
+  for (int i = 0; i < kMostSteps && before_m > kClose_m; ++i) {
+    if (share >= 1.0) {
+      share = 1.0;
+    }
+    const double distance_m = sample(primitive, from + share * way).distance_m;
+    if (distance_m < 0.0) {
+      return halved(primitive, from, way, before, share);
+    }
+    if (share >= 1.0) {
+      return 1.0;
+    }
+    double step = distance_m / length;
+    if (distance_m < before_m) {
+      step = std::max(step, distance_m * (share - before) / (before_m - distance_m));
+    }
+    before = share;
+    before_m = distance_m;
+    share += step;
+  }
+  return before_m > kClose_m ? 1.0 : before;
 }
 
 }  // namespace
