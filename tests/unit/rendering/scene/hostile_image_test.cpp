@@ -223,6 +223,32 @@ TEST(HostileImage, WithABadEffectIsRefused) {
   EXPECT_EQ(error_of(scene).fault, SceneFault::effect_count);
 }
 
+TEST(HostileImage, WithABadNeedleOrTissueIsRefused) {
+  host::BakedScene scene = testing::small_scene();
+  scene.needle = Needle{.length_m = 0.1};
+  scene.objects[1].tissue = Tissue{.cutting_force_N = 1.0};
+  EXPECT_TRUE(SceneImage::open(host::write_image(scene)).has_value());
+  for (const double bad : {-1.0, std::nan(""), HUGE_VAL}) {
+    scene.needle->length_m = bad;
+    EXPECT_EQ(error_of(scene).fault, SceneFault::needle);
+  }
+  scene.needle = Needle{.axis_W = Vec3::Ones(), .length_m = 0.1};
+  EXPECT_EQ(error_of(scene).fault, SceneFault::needle);
+  scene.needle = Needle{.length_m = 0.1};
+  const auto refused = [&](const Tissue& bad) {
+    scene.objects[1].tissue = bad;
+    const SceneError error = error_of(scene);
+    EXPECT_EQ(error.fault, SceneFault::tissue);
+    EXPECT_EQ(error.object, 1U);
+  };
+  refused({.puncture_force_N = 1.0});
+  refused({.cutting_force_N = std::nan("")});
+  refused({.cutting_force_N = 0.1, .toughness_J_per_m2 = 200.0});
+  refused({.in = {.static_N_per_m = 1.0, .dynamic_N_per_m = 2.0}});
+  refused({.shaft_stiffness_N_per_m2 = 0.0});
+  refused({.residual_m = 1e-3});
+}
+
 // A law by its name and numbers; none without a name.
 struct RawLaw {
   const char* name = nullptr;
