@@ -82,6 +82,7 @@ void ToolTouch::add_needle(Touch& touch, const SceneObjects& scene, const ToolSt
   touch.friction = needle.friction;
   touch.normal_W = -needle_.axis_W();
   touch.depth_m = needle.depth_m;
+  touch.planes = 1;
   touch.proxy_W = tool.p_W - needle.depth_m * needle_.axis_W();
 }
 
