@@ -3,6 +3,7 @@
 
 #include "rendering/geometry/mesh.h"
 #include "rendering/geometry/vector.h"
+#include "rendering/objects/object.h"
 #include "rendering/surface/primitive.h"
 
 namespace tactus::rendering {
@@ -28,5 +29,11 @@ SurfaceCrossing crossing_of(const MeshView& mesh, const Vec3& from, const Vec3& 
 // Returns the crossings of a primitive, within a nanometre for a way that is not tangent to it, and
 // exactly as to `ends_inside`. No heap, bounded time.
 SurfaceCrossing crossing_of(const Primitive& primitive, const Vec3& from, const Vec3& to);
+
+// Returns the crossings of an object that may_be_pierced(), in the object's frame.
+inline SurfaceCrossing crossing_of(const Object& object, const Vec3& from_O, const Vec3& to_O) {
+  return object.surface == SurfaceKind::primitive ? crossing_of(object.primitive, from_O, to_O)
+                                                  : crossing_of(object.mesh, from_O, to_O);
+}
 
 }  // namespace tactus::rendering

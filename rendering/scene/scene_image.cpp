@@ -8,6 +8,7 @@
 #include "rendering/scene/body_reader.h"
 #include "rendering/scene/effect_reader.h"
 #include "rendering/scene/image_format.h"
+#include "rendering/scene/needle_reader.h"
 #include "rendering/scene/scene_generated.h"
 #include "rendering/scene/shape_reader.h"
 #include "rendering/scene/stored.h"
@@ -23,9 +24,6 @@ static_assert(offsetof(BvhNode, first) == 12 && offsetof(BvhNode, upper) == 16 &
               offsetof(BvhNode, triangle_count) == 28);
 static_assert(offsetof(TextureLayer, width) == 4 && offsetof(TextureLayer, first_byte) == 12 &&
               offsetof(TextureLayer, high) == 32);
-static_assert(sizeof(Tissue) == 15 * sizeof(double) && offsetof(Tissue, in) == 48 &&
-              offsetof(Tissue, shaft_stiffness_N_per_m2) == 96 &&
-              sizeof(Needle) == 6 * sizeof(double) && offsetof(Needle, length_m) == 24);
 static_assert(std::to_underlying(image::Sides::one) == std::to_underlying(Sides::one) &&
               std::to_underlying(image::Sides::two) == std::to_underlying(Sides::two));
 
@@ -185,12 +183,11 @@ Result SceneImage::take(const image::Scene& scene) {
     return effects;
   }
   gravity_W_ = read_gravity(scene.gravity());
-  if (scene.needle() != nullptr) {
-    needle_ = *in_place<Needle>(scene.needle());
+  const std::expected<Needle, SceneError> needle = read_needle(scene.needle());
+  if (!needle) {
+    return std::unexpected(needle.error());
   }
-  if (!valid(needle_)) {
-    return fail(SceneFault::needle);
-  }
+  needle_ = *needle;
   object_count_ = scene.objects()->size();
   if (object_count_ == 0 || object_count_ > kMaxObjects) {
     return fail(SceneFault::object_count, object_count_);
@@ -299,12 +296,12 @@ Result SceneImage::take_tissue(const image::Tissue* stored, Object& object) {
   if (tissue_count_ == kMaxTissues) {
     return fail(SceneFault::tissue_count, kMaxTissues + 1);
   }
-  const Tissue& tissue = *in_place<Tissue>(stored);
-  if (!valid(tissue, needle_) || !may_be_pierced(object)) {
-    return fail(SceneFault::tissue);
+  const std::expected<Tissue, SceneError> tissue = read_tissue(*stored, needle_, object);
+  if (!tissue) {
+    return std::unexpected(tissue.error());
   }
   object.tissue = static_cast<std::uint8_t>(tissue_count_);
-  tissues_[tissue_count_++] = tissue;
+  tissues_[tissue_count_++] = *tissue;
   return {};
 }
 
