@@ -96,9 +96,7 @@ double first_hit(const Primitive& primitive, const Vec3& from, const Vec3& to) {
   double before_m = sample(primitive, from).distance_m;
   double share = before_m / length;
   for (int i = 0; i < kMostSteps && before_m > kClose_m; ++i) {
-    if (share >= 1.0) {
-      share = 1.0;
-    }
+    share = std::min(share, 1.0);
     const double distance_m = sample(primitive, from + share * way).distance_m;
     if (distance_m < 0.0) {
       return halved(primitive, from, way, before, share);
