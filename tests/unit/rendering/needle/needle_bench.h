@@ -82,6 +82,8 @@ class NeedleBench {
     }
     return force_;
   }
+  // Takes a place as that of the last tick; the next step begins there.
+  void stand_at(const Vec3& p_W) { p_W_ = p_W; }
   void hold(double time_s) {
     for (int i = 0; i < static_cast<int>(time_s / tick_s_ + 0.5); ++i) {
       to(p_W_);

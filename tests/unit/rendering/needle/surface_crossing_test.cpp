@@ -2,6 +2,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 #include <random>
 
 #include "rendering/geometry/hierarchy_query.h"
@@ -26,7 +28,7 @@ double winding(const MeshView& mesh, const Vec3& p) {
                          b.dot(c) * a.norm() + c.dot(a) * b.norm();
     angle += 2.0 * std::atan2(a.dot(b.cross(c)), below);
   }
-  return angle / (4.0 * M_PI);
+  return angle / (4.0 * std::numbers::pi);
 }
 
 TEST(SurfaceCrossing, OfAMeshKnowsWhetherAWanderingPointIsInside) {
