@@ -75,7 +75,8 @@ std::expected<void, SceneRefusal> Controller::load_scene(std::span<const renderi
     const ControllerConfig& device = at(i).config();
     const SceneFeel feel{.tool_radius_m = world.tool_radius_m,
                          .max_force_N = device.safety.max_force_N,
-                         .walls = felt_walls(device.safety)};
+                         .walls = felt_walls(device.safety),
+                         .needle = world.needle};
     if (const auto part = unless_allowed(
             device, first_uncertified(device.certificate, objects, world.effects, feel))) {
       return std::unexpected(

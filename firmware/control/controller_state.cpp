@@ -178,7 +178,7 @@ void DeviceController::transfer_record(StateArchive& archive) {
 // The devices, then what they share.
 void Controller::transfer(StateArchive& archive) {
   [[maybe_unused]] auto& [first_device, more_devices, scene] = *this;
-  [[maybe_unused]] auto& [world, changes, objects, effects, tool_radius_m, standing_units,
+  [[maybe_unused]] auto& [world, changes, objects, effects, needle, tool_radius_m, standing_units,
                           refused_part] = scene;
   archive.same(kMagic);
   for (std::size_t i = 0; i < device_count(); ++i) {

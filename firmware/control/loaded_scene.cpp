@@ -41,7 +41,8 @@ FeltScene felt_scene(const WantedObjects& wanted, const SafetyConfig& safety) {
                    .material = wanted_material,
                    .method = wanted_method,
                    .context = &wanted,
-                   .walls = felt_walls(safety)}};
+                   .walls = felt_walls(safety),
+                   .needle = scene.needle}};
 }
 
 }  // namespace
@@ -60,6 +61,7 @@ bool LoadedScene::load(std::span<const rendering::Object> loaded,
   const bool taken = world.set_scene(loaded, config);
   objects = taken ? loaded : std::span<const rendering::Object>{};
   effects = taken ? config.effects : std::span<const rendering::Effect>{};
+  needle = taken ? config.needle : rendering::NeedleScene{};
   tool_radius_m = config.tool_radius_m;
   standing_units = taken ? rendering::standing_units(loaded, config) : 0;
   return taken;

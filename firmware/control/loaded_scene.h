@@ -59,9 +59,10 @@ struct LoadedScene {
 
   rendering::World world;
   MaterialChanges changes;
-  // The objects and effects of the scene.
+  // The objects and effects of the scene, and its needle.
   std::span<const rendering::Object> objects;
   std::span<const rendering::Effect> effects;
+  rendering::NeedleScene needle;
   double tool_radius_m = 0.0;
   // The cost units that its motions and effects take in every tick (rendering/tick_budget.h).
   std::size_t standing_units = 0;

@@ -104,10 +104,23 @@ rendering::Bounds felt_box(const rendering::Object& object, const rendering::Mat
   return {.lower_W = contact.lower_W - beyond, .upper_W = contact.upper_W + beyond};
 }
 
+// Returns the part of an object that only the needle meets. There is one needle, wherever it is, so
+// the first tissue stands for all.
+ScenePart part_of_tissue(const rendering::Object& object, const SceneFeel& feel) {
+  const rendering::NeedleImpedance most = largest_impedance(feel.needle);
+  const bool is_first = object.tissue == 0;
+  return {.felt = {.damping_Ns_per_m = is_first ? most.damping_Ns_per_m : 0.0,
+                   .stiffness_N_per_m = is_first ? most.stiffness_N_per_m : 0.0},
+          .surface = FeltRegion{}.box};
+}
+
 }  // namespace
 
 ScenePart part_of_object(const rendering::Object& object, const rendering::Material& material,
                          const SceneFeel& feel) {
+  if (is_tissue(object)) {
+    return part_of_tissue(object, feel);
+  }
   const StiffnessRange stiffness = stiffness_of(object, material);
   ScenePart part{.felt = {.damping_Ns_per_m = material.damping_Ns_per_m,
                           .stiffness_N_per_m = stiffness.most_N_per_m},

@@ -11,6 +11,7 @@
 
 #include "firmware/safety/felt_region.h"
 #include "rendering/effects/effect.h"
+#include "rendering/needle/tissue.h"
 #include "rendering/objects/object.h"
 
 namespace tactus::firmware {
@@ -56,6 +57,8 @@ struct SceneFeel {
   // The first argument of `material` and `method`.
   const void* context = nullptr;
   FeltWalls walls;
+  // The needle with its tissues; it counts as a part of its first tissue.
+  rendering::NeedleScene needle;
 };
 
 // A scene as the certificate sees it.

@@ -17,12 +17,6 @@
 
 namespace tactus::rendering {
 
-// The needle and the tissues of a scene; Object::tissue counts the tissues.
-struct NeedleScene {
-  Needle needle;
-  std::span<const Tissue> tissues;
-};
-
 // Returns true if a needle may pierce the object: a rigid mesh or primitive, and no body.
 bool may_be_pierced(const Object& object);
 

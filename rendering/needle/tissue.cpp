@@ -84,4 +84,25 @@ double balanced_residual_m(const Tissue& tissue) {
   return root * depth <= 2.0 * energy ? 0.0 : depth - 2.0 * energy / root;
 }
 
+NeedleImpedance largest_impedance(const NeedleScene& scene) {
+  const Needle& needle = scene.needle;
+  if (needle.length_m <= 0.0 || scene.tissues.empty()) {
+    return {};
+  }
+  double membrane = 0.0;
+  double shaft = 0.0;
+  double across = 0.0;
+  double viscous = 0.0;
+  for (const Tissue& tissue : scene.tissues) {
+    membrane = std::max(membrane, tissue.stiffness_N_per_m +
+                                      2.0 * tissue.stiffness_N_per_m2 * puncture_depth_m(tissue));
+    shaft = std::max(shaft, tissue.shaft_stiffness_N_per_m2);
+    across = std::max(across, tissue.lateral_stiffness_N_per_m2);
+    viscous = std::max({viscous, tissue.in.viscous_Ns_per_m2, tissue.out.viscous_Ns_per_m2});
+  }
+  const double along = std::max(membrane, needle.tip_stiffness_N_per_m) + shaft * needle.length_m;
+  return {.stiffness_N_per_m = std::max(along, across * needle.length_m),
+          .damping_Ns_per_m = viscous * needle.length_m};
+}
+
 }  // namespace tactus::rendering

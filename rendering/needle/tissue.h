@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 
 #include "rendering/geometry/vector.h"
 
@@ -52,6 +53,24 @@ struct Needle {
   // The spring between the tip and what it cuts, N/m.
   double tip_stiffness_N_per_m = 2000.0;
 };
+
+// The needle and the tissues of a scene; Object::tissue counts the tissues.
+struct NeedleScene {
+  Needle needle;
+  std::span<const Tissue> tissues;
+};
+
+// The most that a spring and a damper in all directions can be of what a needle makes the hand
+// feel.
+struct NeedleImpedance {
+  double stiffness_N_per_m = 0.0;
+  double damping_Ns_per_m = 0.0;
+};
+
+// Returns a bound for every place of the needle in the scene: the steepest membrane at its
+// puncture, the tip, and the stiffest of the layers along the whole shaft; across the axis the
+// spring that holds the shaft. 0 without a needle or a tissue.
+NeedleImpedance largest_impedance(const NeedleScene& scene);
 
 // A tip or a shaft that is slower than this is at rest, m/s (Karnopp's band).
 inline constexpr double kNeedleRest_m_per_s = 5e-4;

@@ -131,6 +131,41 @@ TEST(Certificate, KeepsAStifferSceneOutOfTheControllerUnlessTold) {
   EXPECT_TRUE(controller->load_scene(stiff.objects(), {.tool_radius_m = 0.0}).has_value());
 }
 
+TEST(Certificate, CountsTheNeedleWithTheWholeOfItsShaft) {
+  const auto controller = std::make_unique<Controller>();
+  ASSERT_TRUE(controller->configure(certified_config()));
+  std::array<rendering::Object, 2> layers;
+  for (std::uint8_t i = 0; i < layers.size(); ++i) {
+    layers.at(i) = {
+        .surface = rendering::SurfaceKind::primitive,
+        .primitive = {.kind = rendering::PrimitiveKind::box, .dimensions_m = {0.1, 0.01, 0.1}},
+        .tissue = i};
+    layers.at(i).primitive.X_WO.translation.y() = -0.05 * i;
+  }
+  std::array<rendering::Tissue, 2> tissues;
+  const auto loaded = [&] {
+    return controller->load_scene(
+        layers, {.needle = {.needle = {.length_m = 0.1, .tip_stiffness_N_per_m = 400.0},
+                            .tissues = tissues}});
+  };
+  for (rendering::Tissue& tissue : tissues) {
+    tissue.shaft_stiffness_N_per_m2 = 5000.0;
+  }
+  EXPECT_TRUE(loaded());  // 400 N/m of the tip and 500 N/m along 0.1 m, however many layers
+  tissues[1].shaft_stiffness_N_per_m2 = 6100.0;
+  ASSERT_FALSE(loaded());
+  EXPECT_EQ(loaded().error().fault, SceneFault::uncertified);
+  EXPECT_NEAR(loaded().error().part.stiffness_N_per_m, 1010.0, 1e-9);
+  tissues[1].shaft_stiffness_N_per_m2 = 5000.0;
+  // 100 d + 90000 d^2 = 1 N at 2.82 mm, where its slope is 608 N/m.
+  tissues[0].stiffness_N_per_m = 100.0;
+  tissues[0].stiffness_N_per_m2 = 90000.0;
+  tissues[0].puncture_force_N = 1.0;
+  ASSERT_FALSE(loaded());
+  EXPECT_NEAR(loaded().error().part.stiffness_N_per_m, std::sqrt(1e4 + 4.0 * 90000.0) + 500.0,
+              1e-6);
+}
+
 TEST(Certificate, DoesNotComeOverALoadedSceneThatIsStiffer) {
   const auto controller = std::make_unique<Controller>();
   ASSERT_TRUE(controller->configure(cartesian_config()));
