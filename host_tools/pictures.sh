@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# Makes the pictures of the READMEs anew: the repository's, and those of rendering/, rendering/bodies/, rendering/friction/ and host_tools/certify/. Needs a built `tactus`:
+# Makes the pictures of the READMEs anew: the repository's, and those of rendering/, rendering/bodies/, rendering/friction/,
+# rendering/needle/ and host_tools/certify/. Needs a built `tactus`:
 # host_tools/demo.sh builds one.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
@@ -111,6 +112,45 @@ echo "$pictures/notch_graph.png"
 "$tactus" touch "$work/notch.tactus" --path "$examples/notch/stroke.csv" -o "$work/notch.csv" --explain "$work/notch_steps.csv" >"$work/log"
 "$tactus" plot "$work/notch_steps.csv" --transitions --scene "$work/notch.tactus" -o "$pictures/notch_transitions.png" >"$work/log"
 echo "$pictures/notch_transitions.png"
+
+# A needle, of rendering/needle/README.md: the force over the depth of the tip, and strips of ticks.
+pictures=rendering/needle/pictures
+mkdir -p "$pictures"
+"$tactus" bake "$examples/epidural/scene.toml" -o "$work/epidural.tactus" >"$work/log"
+for run in insert in_and_out; do
+  "$tactus" touch "$work/epidural.tactus" --path "$examples/epidural/$run.csv" --rate 1000 -o "$work/$run.csv" --explain "$work/${run}_steps.csv" \
+    >"$work/log"
+done
+over_depth() {  # NAME PLOT: columns 3 and 9 are tool_y_m and force_y_N
+  gnuplot - <<END
+set terminal pngcairo size 1000,560 font "sans,11"
+set output "$pictures/$1.png"
+set datafile separator ","
+set xlabel "depth of the tip, mm"
+set ylabel "force against the motion inward, N"
+set xrange [-5:54]
+set grid
+set key top left
+surfaces = "skin fat muscle ligament space"
+depths = "0 5 20 45 50"
+do for [i = 1:5] {
+  set arrow from word(depths, i) + 0, graph 0 to word(depths, i) + 0, graph 1 nohead dashtype 2
+  set label word(surfaces, i) at word(depths, i) + 0.6, graph 0.03 rotate by 90
+}
+plot $2
+END
+  echo "$pictures/$1.png"
+}
+over_depth epidural_force "'$work/insert.csv' every ::1 using (-1e3 * \$3):9 with lines linewidth 2 title 'in'"
+over_depth epidural_in_and_out "'$work/in_and_out.csv' every ::1::6801 using (-1e3 * \$3):9 with lines linewidth 2 title 'in, and at rest', \
+  '' every ::6801::12601 using (-1e3 * \$3):9 with lines linewidth 2 title 'out', \
+  '' every ::12601 using (-1e3 * \$3):9 with lines linewidth 2 title 'in again'"
+strip_of_needle() {  # RUN NAME TICKS
+  "$tactus" plot "$work/$1_steps.csv" --explain --ticks "$3" --scene "$work/epidural.tactus" -o "$pictures/$2.png" >"$work/log"
+  echo "$pictures/$2.png"
+}
+strip_of_needle insert epidural_strip 800..5301/643
+strip_of_needle in_and_out withdrawal_strip 6800..12300/1100
 
 # The demo's path, of the root README.
 host_tools/bunny_mesh.sh "$work/bunny00.off"
