@@ -10,7 +10,7 @@ static_assert(sizeof(Tissue) == 15 * sizeof(double) && offsetof(Tissue, in) == 4
               sizeof(Needle) == 6 * sizeof(double) && offsetof(Needle, length_m) == 24);
 
 std::expected<Needle, SceneError> read_needle(const image::Needle* stored) {
-  const Needle needle = stored == nullptr ? Needle{} : *in_place<Needle>(stored);
+  Needle needle = stored == nullptr ? Needle{} : *in_place<Needle>(stored);
   if (!valid(needle)) {
     return fail(SceneFault::needle);
   }

@@ -14,12 +14,12 @@
 namespace tactus::rendering::testing {
 namespace {
 
-constexpr int kTicks = 12000;
+constexpr int kSavedTicks = 12000;
 
 // In and out of three layers twice, beside the first channel the second time.
-Vec3 tip_W(int tick) {
+Vec3 path_W(int tick) {
   const double s = tick * 1e-3;
-  return {tick > kTicks / 2 ? 0.003 : 1e-4 * std::sin(3.0 * s),
+  return {tick > kSavedTicks / 2 ? 0.003 : 1e-4 * std::sin(3.0 * s),
           0.002 - 0.02 * (1.0 - std::cos(2.0 * std::numbers::pi * s / 6.0)),
           1e-4 * std::sin(7.0 * s)};
 }
@@ -31,10 +31,10 @@ NeedleBench three_layers() {
 }
 
 TEST(NeedleState, GoesOnAlikeFromAnyMoment) {
-  for (int saved_at = 150; saved_at < kTicks; saved_at += 611) {
+  for (int saved_at = 150; saved_at < kSavedTicks; saved_at += 611) {
     NeedleBench first = three_layers();
     for (int i = 0; i <= saved_at; ++i) {
-      first.to(tip_W(i));
+      first.to(path_W(i));
     }
     auto room = std::make_unique<std::array<std::byte, 1U << 16U>>();
     StateArchive writer = StateArchive::writer(*room);
@@ -42,14 +42,14 @@ TEST(NeedleState, GoesOnAlikeFromAnyMoment) {
     ASSERT_TRUE(writer.good());
     NeedleBench second = three_layers();
     for (int i = 0; i < 3000; ++i) {
-      second.to(tip_W(i));  // somewhere else
+      second.to(path_W(i));  // somewhere else
     }
     StateArchive reader = StateArchive::reader(std::span(*room).first(writer.size()));
     second.touch().transfer(reader);
     ASSERT_TRUE(reader.good() && reader.at_end());
-    second.stand_at(tip_W(saved_at));
-    for (int i = saved_at + 1; i < std::min(saved_at + 2500, kTicks); ++i) {
-      ASSERT_EQ(second.to(tip_W(i)).force_W, first.to(tip_W(i)).force_W) << saved_at << " " << i;
+    second.stand_at(path_W(saved_at));
+    for (int i = saved_at + 1; i < std::min(saved_at + 2500, kSavedTicks); ++i) {
+      ASSERT_EQ(second.to(path_W(i)).force_W, first.to(path_W(i)).force_W) << saved_at << " " << i;
     }
     EXPECT_EQ(second.touch().energy().crack_m2, first.touch().energy().crack_m2);
   }
@@ -58,7 +58,7 @@ TEST(NeedleState, GoesOnAlikeFromAnyMoment) {
 TEST(NeedleState, RefusesBytesThatMakeNoNeedle) {
   NeedleBench bench = three_layers();
   for (int i = 0; i < 3000; ++i) {
-    bench.to(tip_W(i));
+    bench.to(path_W(i));
   }
   std::vector<std::byte> bytes(1U << 16U);
   StateArchive writer = StateArchive::writer(bytes);

@@ -125,9 +125,9 @@ TEST(Needle, NoPathGivesTheHandMoreThanItHasStored) {
       std::ranges::generate(wave, [&] { return unit(random); });
     }
     const Vec3 start_W(0.0, 0.002, 0.0);
-    const int kTicks = 20000;
-    for (int i = 0; i <= kTicks; ++i) {
-      const double s = 2.0 * std::numbers::pi * i / kTicks;
+    const int kPathTicks = 20000;
+    for (int i = 0; i <= kPathTicks; ++i) {
+      const double s = 2.0 * std::numbers::pi * i / kPathTicks;
       Vec3 p_W = start_W;
       for (std::size_t k = 0; k < waves.size(); ++k) {
         const double n = static_cast<double>(k) * 2.0 + 1.0;

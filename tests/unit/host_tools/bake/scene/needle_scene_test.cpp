@@ -19,22 +19,23 @@ namespace {
 using rendering::Tissue;
 using rendering::World;
 
-const std::string kNeedle = "[tool.needle]\nlength_m = 0.1\nwidth_m = 1e-3\n";
-const std::string kBlock =
+const std::string kNeedleTable = "[tool.needle]\nlength_m = 0.1\nwidth_m = 1e-3\n";
+const std::string kBlockText =
     "[[object]]\nname = \"block\"\nprimitive = \"box\"\nsize_m = [0.1, 0.1, 0.1]\n";
-const std::string kTissue = "[object.tissue]\n";
+const std::string kTissueTable = "[object.tissue]\n";
 
-std::string refusal_of(const std::string& text) {
+std::string needle_refusal(const std::string& text) {
   return input_error([&] { host::parse_scene_description(text, "folder/scene.toml"); });
 }
-Tissue tissue_of(const std::string& keys) {
-  return *host::parse_scene_description(kNeedle + kBlock + kTissue + keys, "scene.toml")
+Tissue parsed_tissue(const std::string& keys) {
+  return *host::parse_scene_description(kNeedleTable + kBlockText + kTissueTable + keys,
+                                        "scene.toml")
               .objects[0]
               .tissue;
 }
 
 TEST(NeedleScene, HasTheTissueThatItDescribes) {
-  const Tissue tissue = tissue_of(
+  const Tissue tissue = parsed_tissue(
       "stiffness_N_per_m = 20.0\nstiffness_N_per_m2 = 8000.0\npuncture_force_N = 1.392\n"
       "residual_m = 0.004\ncutting_force_N = 0.94\ntoughness_J_per_m2 = 100.0\n"
       "static_N_per_m = 18.45\ndynamic_N_per_m = 10.37\nviscous_Ns_per_m2 = 212.13\n"
@@ -53,32 +54,35 @@ TEST(NeedleScene, HasTheTissueThatItDescribes) {
 
 TEST(NeedleScene, LeavesOutWhatFollows) {
   const Tissue tissue =
-      tissue_of("cutting_force_N = 0.5\ndynamic_N_per_m = 10.0\nclamping = 1.5\n");
+      parsed_tissue("cutting_force_N = 0.5\ndynamic_N_per_m = 10.0\nclamping = 1.5\n");
   EXPECT_NEAR(tissue.toughness_J_per_m2, 500.0, 1e-9);
   EXPECT_EQ(tissue.in.static_N_per_m, 10.0);
   EXPECT_EQ(tissue.out.dynamic_N_per_m, 15.0);
-  EXPECT_NEAR(tissue_of("toughness_J_per_m2 = 200.0\n").cutting_force_N, 0.2, 1e-12);
+  EXPECT_NEAR(parsed_tissue("toughness_J_per_m2 = 200.0\n").cutting_force_N, 0.2, 1e-12);
   // The energy that the surface stored pays for the way to the tip: 1 N/mm to 1 N is 0.5 mJ, which
   // at 1 N is half a millimetre.
-  EXPECT_NEAR(tissue_of("stiffness_N_per_m = 1000.0\npuncture_force_N = 1.0\ncutting_force_N = 1.0")
-                  .residual_m,
-              0.0005, 1e-12);
+  EXPECT_NEAR(
+      parsed_tissue("stiffness_N_per_m = 1000.0\npuncture_force_N = 1.0\ncutting_force_N = 1.0")
+          .residual_m,
+      0.0005, 1e-12);
 }
 
 TEST(NeedleScene, RefusesWhatANeedleCannotPierce) {
   const auto refused = [](const std::string& text, std::string_view why) {
-    const std::string error = refusal_of(text);
+    const std::string error = needle_refusal(text);
     EXPECT_TRUE(contains(error, why)) << error;
   };
-  refused(kBlock + kTissue, "there is none; add [tool.needle] with length_m");
-  refused(kNeedle + kBlock + "[object.body]\n" + kTissue, "leave out the body or the tissue");
-  refused(kNeedle + "[[object]]\nformula = \"x^2 + y^2 + z^2 - 1\"\nscale = 0.01\n" + kTissue,
-          "contact = \"sphere_proxy\"");
-  refused("[tool.needle]\n" + kBlock, "length_m is missing");
-  refused("[tool.needle]\nlength_m = 90.0\n" + kBlock, "is it in millimetres?");
-  refused("[tool.needle]\nlength_m = 0.09\naxis = [0.0, 0.0, 0.0]\n" + kBlock,
+  refused(kBlockText + kTissueTable, "there is none; add [tool.needle] with length_m");
+  refused(kNeedleTable + kBlockText + "[object.body]\n" + kTissueTable,
+          "leave out the body or the tissue");
+  refused(
+      kNeedleTable + "[[object]]\nformula = \"x^2 + y^2 + z^2 - 1\"\nscale = 0.01\n" + kTissueTable,
+      "contact = \"sphere_proxy\"");
+  refused("[tool.needle]\n" + kBlockText, "length_m is missing");
+  refused("[tool.needle]\nlength_m = 90.0\n" + kBlockText, "is it in millimetres?");
+  refused("[tool.needle]\nlength_m = 0.09\naxis = [0.0, 0.0, 0.0]\n" + kBlockText,
           "axis has no length");
-  const std::string tissue = kNeedle + kBlock + kTissue;
+  const std::string tissue = kNeedleTable + kBlockText + kTissueTable;
   refused(tissue + "puncture_force_N = 1.0\n", "it never reaches puncture_force_N");
   refused(tissue + "cutting_force_N = 0.5\ntoughness_J_per_m2 = 600.0\n",
           "write toughness_J_per_m2 = 500 or less");
@@ -90,9 +94,10 @@ TEST(NeedleScene, RefusesWhatANeedleCannotPierce) {
   refused(tissue + membrane + "cutting_force_N = 1.0\nresidual_m = 0.0004\n",
           "where 0.0005 m is the least");
   refused(tissue + "cutting_force_mN = 1.0\n", "cutting_force_N");
-  std::string many = kNeedle;
+  std::string many = kNeedleTable;
   for (int i = 0; i < 17; ++i) {
-    many += "[[object]]\nname = \"" + std::to_string(i) + "\"\nprimitive = \"plane\"\n" + kTissue;
+    many +=
+        "[[object]]\nname = \"" + std::to_string(i) + "\"\nprimitive = \"plane\"\n" + kTissueTable;
   }
   refused(many, "17 objects with tissue, where 16 fit");
 }
