@@ -7,7 +7,7 @@
 #include "rendering/needle/needle_touch.h"
 #include "rendering/objects/scene_objects.h"
 
-namespace tactus::rendering::testing {
+namespace tactus::rendering {
 
 // The tissue of tests/reference/needle_reference_trace.csv, in SI units. Its toughness is not
 // given: it is taken as 0. The springs are stiffer than a device allows, since the trace has none.
@@ -38,7 +38,7 @@ inline Tissue balanced_tissue(double scale = 1.0) {
   return tissue;
 }
 
-inline Object block(double top_m, std::size_t tissue, double bottom_m = -0.2) {
+inline Object tissue_block(double top_m, std::size_t tissue, double bottom_m = -0.2) {
   Object object;
   object.surface = SurfaceKind::primitive;
   object.primitive = {.kind = PrimitiveKind::box,
@@ -115,4 +115,4 @@ class NeedleBench {
   bool is_good_ = false;
 };
 
-}  // namespace tactus::rendering::testing
+}  // namespace tactus::rendering

@@ -11,7 +11,7 @@
 
 #include "tests/unit/rendering/needle/needle_bench.h"
 
-namespace tactus::rendering::testing {
+namespace tactus::rendering {
 namespace {
 
 constexpr int kSavedTicks = 12000;
@@ -25,9 +25,10 @@ Vec3 path_W(int tick) {
 }
 
 NeedleBench three_layers() {
-  return NeedleBench({block(0.0, 0), block(-0.008, 1, -0.19), block(-0.02, 2, -0.18)},
-                     {balanced_tissue(0.6), balanced_tissue(1.0), balanced_tissue(1.4)},
-                     {.length_m = 0.1, .width_m = 1e-3});
+  return NeedleBench(
+      {tissue_block(0.0, 0), tissue_block(-0.008, 1, -0.19), tissue_block(-0.02, 2, -0.18)},
+      {balanced_tissue(0.6), balanced_tissue(1.0), balanced_tissue(1.4)},
+      {.length_m = 0.1, .width_m = 1e-3});
 }
 
 TEST(NeedleState, GoesOnAlikeFromAnyMoment) {
@@ -76,4 +77,4 @@ TEST(NeedleState, RefusesBytesThatMakeNoNeedle) {
 }
 
 }  // namespace
-}  // namespace tactus::rendering::testing
+}  // namespace tactus::rendering

@@ -11,13 +11,13 @@
 #include "tests/support/csv.h"
 #include "tests/unit/rendering/needle/needle_bench.h"
 
-namespace tactus::rendering::testing {
+namespace tactus::rendering {
 namespace {
 
 using ::tactus::testing::Csv;
 
-const Needle kNeedle{.length_m = 0.1, .width_m = 1e-3};
-constexpr double kSlow_m_per_s = 3e-3;
+const Needle kTestNeedle{.length_m = 0.1, .width_m = 1e-3};
+constexpr double kInsertion_m_per_s = 3e-3;
 
 double crack_energy_J(const NeedleBench& bench, const Tissue& tissue) {
   return tissue.toughness_J_per_m2 * bench.touch().energy().crack_m2;
@@ -26,9 +26,9 @@ double crack_energy_J(const NeedleBench& bench, const Tissue& tissue) {
 // Row by row; ten ticks between two rows.
 TEST(Needle, FollowsTheReferenceTrace) {
   const Csv trace("needle_reference_trace.csv");
-  Needle needle = kNeedle;
+  Needle needle = kTestNeedle;
   needle.tip_stiffness_N_per_m = 1e6;
-  NeedleBench bench({block(0.0, 0)}, {reference_tissue()}, needle);
+  NeedleBench bench({tissue_block(0.0, 0)}, {reference_tissue()}, needle);
   ASSERT_TRUE(bench.is_good());
   bench.to_depth(-1e-6);
   double last_m = -1e-6;
@@ -50,11 +50,11 @@ TEST(Needle, WorkOfTheHandIsCracksAndFrictionAndWhatIsStoredAndFreed) {
   for (const bool is_balanced : {false, true}) {
     Tissue tissue = balanced_tissue();
     tissue.residual_m = is_balanced ? tissue.residual_m : 0.9 * puncture_depth_m(tissue);
-    NeedleBench bench({block(0.0, 0)}, {tissue}, kNeedle);
+    NeedleBench bench({tissue_block(0.0, 0)}, {tissue}, kTestNeedle);
     ASSERT_TRUE(bench.is_good());
     bench.to_depth(-1e-4);
     for (const double depth_m : {0.005, 0.03, 0.02, 0.04, 0.001, -0.001, 0.05, -0.001}) {
-      bench.go_to_depth(depth_m, kSlow_m_per_s);
+      bench.go_to_depth(depth_m, kInsertion_m_per_s);
       EXPECT_NEAR(bench.accounted_J(), bench.work_J(), 1e-3 * bench.work_J()) << depth_m;
       bench.hold(0.3);
       EXPECT_NEAR(bench.accounted_J(), bench.work_J(), 1e-3 * bench.work_J()) << depth_m;
@@ -67,7 +67,7 @@ TEST(Needle, WorkOfTheHandIsCracksAndFrictionAndWhatIsStoredAndFreed) {
 TEST(Needle, FirstInsertionTakesTheEnergyOfTheCrackMoreThanTheSecond) {
   for (const double v_m_per_s : {1e-3, 3e-3}) {
     const Tissue tissue = balanced_tissue();
-    NeedleBench bench({block(0.0, 0)}, {tissue}, kNeedle, 1e-4);
+    NeedleBench bench({tissue_block(0.0, 0)}, {tissue}, kTestNeedle, 1e-4);
     bench.to_depth(-1e-3);
     bench.go_to_depth(0.05, v_m_per_s);
     const double first_J = bench.work_J();
@@ -78,13 +78,13 @@ TEST(Needle, FirstInsertionTakesTheEnergyOfTheCrackMoreThanTheSecond) {
     const double second_J = bench.work_J() - both_J;
     EXPECT_NEAR(first_J - second_J, crack_J, 0.01 * crack_J);
     EXPECT_EQ(crack_energy_J(bench, tissue), crack_J) << "the second one cut again";
-    EXPECT_NEAR(bench.touch().energy().crack_m2, kNeedle.width_m * (0.05 - tissue.residual_m),
-                0.01 * kNeedle.width_m * 0.05);
+    EXPECT_NEAR(bench.touch().energy().crack_m2, kTestNeedle.width_m * (0.05 - tissue.residual_m),
+                0.01 * kTestNeedle.width_m * 0.05);
   }
 }
 
 TEST(Needle, ForceDropsAtThePunctureAndNeverPushesTheHand) {
-  NeedleBench bench({block(0.0, 0)}, {reference_tissue()}, kNeedle);
+  NeedleBench bench({tissue_block(0.0, 0)}, {reference_tissue()}, kTestNeedle);
   bench.to_depth(-1e-4);
   double before_N = 0.0;
   double most_N = 0.0;
@@ -112,13 +112,13 @@ TEST(Needle, NoPathGivesTheHandMoreThanItHasStored) {
     for (std::size_t i = 0; i < 3; ++i) {
       Tissue tissue = balanced_tissue(1.0 + 0.8 * unit(random));
       tissue.puncture_force_N *= 1.0 + 0.9 * unit(random);
-      tissue.residual_m = std::max(least_residual_m(tissue, kNeedle),
+      tissue.residual_m = std::max(least_residual_m(tissue, kTestNeedle),
                                    puncture_depth_m(tissue) * (0.5 + 0.5 * unit(random)));
       tissues.push_back(tissue);
-      objects.push_back(block(top_m, i, -0.06 + 0.005 * static_cast<double>(i)));
+      objects.push_back(tissue_block(top_m, i, -0.06 + 0.005 * static_cast<double>(i)));
       top_m -= 0.004 + 0.003 * unit(random);
     }
-    NeedleBench bench(objects, tissues, kNeedle);
+    NeedleBench bench(objects, tissues, kTestNeedle);
     ASSERT_TRUE(bench.is_good());
     std::array<std::array<double, 6>, 4> waves;
     for (auto& wave : waves) {
@@ -147,17 +147,17 @@ TEST(Needle, NoPathGivesTheHandMoreThanItHasStored) {
 }
 
 TEST(Needle, OldChannelIsFreeAndANewOneBesideItIsNot) {
-  NeedleBench bench({block(0.0, 0)}, {balanced_tissue()}, kNeedle);
+  NeedleBench bench({tissue_block(0.0, 0)}, {balanced_tissue()}, kTestNeedle);
   bench.to_depth(-1e-3);
-  bench.go_to_depth(0.03, kSlow_m_per_s);
-  bench.go_to_depth(-1e-3, kSlow_m_per_s);
+  bench.go_to_depth(0.03, kInsertion_m_per_s);
+  bench.go_to_depth(-1e-3, kInsertion_m_per_s);
   const double crack_m2 = bench.touch().energy().crack_m2;
-  bench.go_to_depth(0.02, kSlow_m_per_s);
+  bench.go_to_depth(0.02, kInsertion_m_per_s);
   EXPECT_EQ(bench.touch().energy().crack_m2, crack_m2);
   const double in_channel_N = bench.axial_N();
-  bench.go_to_depth(0.04, kSlow_m_per_s);
+  bench.go_to_depth(0.04, kInsertion_m_per_s);
   EXPECT_GT(bench.touch().energy().crack_m2, crack_m2);
-  bench.go_to_depth(-1e-3, kSlow_m_per_s);
+  bench.go_to_depth(-1e-3, kInsertion_m_per_s);
   const double both_m2 = bench.touch().energy().crack_m2;
   bench.to({0.004, 1e-3, 0.0});
   double most_N = 0.0;
@@ -171,9 +171,9 @@ TEST(Needle, OldChannelIsFreeAndANewOneBesideItIsNot) {
 
 TEST(Needle, IsHeldSidewaysWithAStiffnessPerLength) {
   const Tissue tissue = balanced_tissue();
-  NeedleBench bench({block(0.0, 0)}, {tissue}, kNeedle);
+  NeedleBench bench({tissue_block(0.0, 0)}, {tissue}, kTestNeedle);
   bench.to_depth(-1e-3);
-  bench.go_to_depth(0.03, kSlow_m_per_s);
+  bench.go_to_depth(0.03, kInsertion_m_per_s);
   const double length_m = 0.03 - tissue.residual_m;
   for (int i = 1; i <= 100; ++i) {
     bench.to({1e-5 * i, -0.03, 0.0});
@@ -185,13 +185,13 @@ TEST(Needle, IsHeldSidewaysWithAStiffnessPerLength) {
 
 TEST(Needle, AtRestItKeepsTheFrictionAndJustDoesNotCut) {
   const Tissue tissue = balanced_tissue();
-  NeedleBench bench({block(0.0, 0)}, {tissue}, kNeedle);
+  NeedleBench bench({tissue_block(0.0, 0)}, {tissue}, kTestNeedle);
   bench.to_depth(-1e-3);
-  bench.go_to_depth(0.03, kSlow_m_per_s);
+  bench.go_to_depth(0.03, kInsertion_m_per_s);
   bench.hold(3.0);
   const double length_m = 0.03 - tissue.residual_m;
   EXPECT_NEAR(bench.axial_N(),
-              tissue.in.dynamic_N_per_m * length_m + fracture_force_N(tissue, kNeedle), 1e-3);
+              tissue.in.dynamic_N_per_m * length_m + fracture_force_N(tissue, kTestNeedle), 1e-3);
 }
 
 // The springs reach their limits within a way that is short against the layers.
@@ -202,10 +202,10 @@ TEST(Needle, PassesLayersInTheOrderOfTheAxisWhateverTheirOrderInTheScene) {
     std::vector<Object> objects;
     std::vector<Tissue> tissues;
     for (const std::size_t number : numbers) {
-      objects.push_back(block(tops[number], objects.size()));
+      objects.push_back(tissue_block(tops[number], objects.size()));
       tissues.push_back(balanced_tissue(0.5 + static_cast<double>(number)));
     }
-    NeedleBench bench(objects, tissues, kNeedle);
+    NeedleBench bench(objects, tissues, kTestNeedle);
     bench.to_depth(-1e-3);
     std::size_t k = 0;
     for (double depth_m = -1e-3; depth_m < 0.06; depth_m += 3e-5, ++k) {
@@ -223,25 +223,25 @@ TEST(Needle, PassesLayersInTheOrderOfTheAxisWhateverTheirOrderInTheScene) {
 }
 
 TEST(Needle, LayerThatItBeginsInIsFeltOnceItHasBeenOut) {
-  NeedleBench bench({block(0.0, 0)}, {balanced_tissue()}, kNeedle);
+  NeedleBench bench({tissue_block(0.0, 0)}, {balanced_tissue()}, kTestNeedle);
   bench.to_depth(0.02);
-  bench.go_to_depth(0.03, kSlow_m_per_s);
+  bench.go_to_depth(0.03, kInsertion_m_per_s);
   EXPECT_TRUE(bench.to_depth(0.03).has_left_out);
   EXPECT_EQ(bench.axial_N(), 0.0);
-  bench.go_to_depth(-0.001, kSlow_m_per_s);
-  bench.go_to_depth(0.002, kSlow_m_per_s);
+  bench.go_to_depth(-0.001, kInsertion_m_per_s);
+  bench.go_to_depth(0.002, kInsertion_m_per_s);
   EXPECT_GT(bench.axial_N(), 0.0);
 }
 
 // The layer turns about the point where the needle came in: the needle, whose axis stays, is
 // another one to it.
 TEST(Needle, ChangeOfDirectionBendsTheShaftAndLeavesTheOldChannel) {
-  Object turning = block(0.0, 0);
+  Object turning = tissue_block(0.0, 0);
   turning.moves = true;
   const Tissue tissue = balanced_tissue();
-  NeedleBench bench({turning}, {tissue}, kNeedle);
+  NeedleBench bench({turning}, {tissue}, kTestNeedle);
   bench.to_depth(-1e-3);
-  bench.go_to_depth(0.04, kSlow_m_per_s);
+  bench.go_to_depth(0.04, kInsertion_m_per_s);
   bench.hold(3.0);
   const double crack_m2 = bench.touch().energy().crack_m2;
   const auto turn_to = [&](double angle) {
@@ -259,10 +259,10 @@ TEST(Needle, ChangeOfDirectionBendsTheShaftAndLeavesTheOldChannel) {
   const double stiffness = tissue.lateral_stiffness_N_per_m2 * length_m;
   EXPECT_NEAR(bench.to_depth(0.04).force_W.x(), stiffness * aside_m, 0.02 * stiffness * aside_m);
   EXPECT_NEAR(bench.touch().energy().crack_m2, crack_m2, 1e-9);
-  bench.go_to_depth(-1e-3, kSlow_m_per_s);
-  bench.go_to_depth(0.03, kSlow_m_per_s);
+  bench.go_to_depth(-1e-3, kInsertion_m_per_s);
+  bench.go_to_depth(0.03, kInsertion_m_per_s);
   EXPECT_NEAR(bench.touch().energy().crack_m2 - crack_m2,
-              kNeedle.width_m * (0.03 - tissue.residual_m), 0.05 * kNeedle.width_m * 0.03)
+              kTestNeedle.width_m * (0.03 - tissue.residual_m), 0.05 * kTestNeedle.width_m * 0.03)
       << "the channel of another direction is cut anew";
 }
 
@@ -276,7 +276,8 @@ TEST(Needle, RecoilPiercesOnlyWhatItsEnergyPaysFor) {
     Tissue inner = balanced_tissue(inner_scale);
     inner.puncture_force_N = 0.3 * inner_scale;
     inner.residual_m = balanced_residual_m(inner);
-    NeedleBench bench({block(0.0, 0), block(-0.002, 1, -0.19)}, {outer, inner}, kNeedle);
+    NeedleBench bench({tissue_block(0.0, 0), tissue_block(-0.002, 1, -0.19)}, {outer, inner},
+                      kTestNeedle);
     bench.to_depth(-1e-3);
     double most_N = 0.0;
     for (double depth_m = 0.0; depth_m < puncture_depth_m(outer) + 1e-5; depth_m += 3e-6) {
@@ -291,4 +292,4 @@ TEST(Needle, RecoilPiercesOnlyWhatItsEnergyPaysFor) {
 }
 
 }  // namespace
-}  // namespace tactus::rendering::testing
+}  // namespace tactus::rendering

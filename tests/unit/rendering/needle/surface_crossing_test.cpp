@@ -12,7 +12,7 @@
 #include "tests/support/solid.h"
 #include "tests/unit/rendering/needle/needle_bench.h"
 
-namespace tactus::rendering::testing {
+namespace tactus::rendering {
 namespace {
 
 using ::tactus::testing::Solid;
@@ -32,7 +32,7 @@ double winding(const MeshView& mesh, const Vec3& p) {
 }
 
 TEST(SurfaceCrossing, OfAMeshKnowsWhetherAWanderingPointIsInside) {
-  const Solid solid(::tactus::testing::bumpy_sphere(0.03, 3, 0.2), Sides::one, {});
+  const Solid solid(testing::bumpy_sphere(0.03, 3, 0.2), Sides::one, {});
   const MeshView& mesh = solid.object().mesh;
   std::mt19937_64 random(7);
   std::uniform_real_distribution<double> place(-0.04, 0.04);
@@ -60,7 +60,7 @@ TEST(SurfaceCrossing, OfAMeshKnowsWhetherAWanderingPointIsInside) {
 
 // Through vertices and along edges of a grid of coordinates that floats hold exactly.
 TEST(SurfaceCrossing, DoesNotSlipThroughEdgesAndVertices) {
-  const Solid solid(::tactus::testing::box({0.5, 0.5, 0.5}), Sides::one, {});
+  const Solid solid(testing::box({0.5, 0.5, 0.5}), Sides::one, {});
   const MeshView& mesh = solid.object().mesh;
   for (int i = -8; i <= 8; ++i) {
     for (int k = -8; k <= 8; ++k) {
@@ -79,20 +79,20 @@ TEST(SurfaceCrossing, DoesNotSlipThroughEdgesAndVertices) {
 TEST(SurfaceCrossing, OfAPrimitiveIsWhereItsInsideBegins) {
   std::mt19937_64 random(11);
   std::uniform_real_distribution<double> place(-0.1, 0.1);
-  for (const PrimitiveKind kind : ::tactus::testing::kAllPrimitives) {
+  for (const PrimitiveKind kind : testing::kAllPrimitives) {
     for (int i = 0; i < 300; ++i) {
-      const Primitive primitive = ::tactus::testing::random_primitive(kind, random);
+      const Primitive primitive = testing::random_primitive(kind, random);
       const Vec3 from =
           primitive.X_WO.translation + Vec3(place(random), place(random), place(random));
       const Vec3 to =
           primitive.X_WO.translation + Vec3(place(random), place(random), place(random));
       const SurfaceCrossing crossing = crossing_of(primitive, from, to);
-      ASSERT_EQ(crossing.ends_inside, ::tactus::testing::inside(primitive, to));
+      ASSERT_EQ(crossing.ends_inside, testing::inside(primitive, to));
       // The first of many points of the way that is inside.
       constexpr int kPoints = 2000;
-      for (int k = 0; k <= kPoints && !::tactus::testing::inside(primitive, from); ++k) {
+      for (int k = 0; k <= kPoints && !testing::inside(primitive, from); ++k) {
         const double share = k / static_cast<double>(kPoints);
-        if (::tactus::testing::inside(primitive, from + share * (to - from))) {
+        if (testing::inside(primitive, from + share * (to - from))) {
           ASSERT_TRUE(crossing.enters);
           ASSERT_NEAR(crossing.entry, share, 1.0 / kPoints + 1e-6);
           break;
@@ -103,10 +103,10 @@ TEST(SurfaceCrossing, OfAPrimitiveIsWhereItsInsideBegins) {
 }
 
 TEST(Needle, FeelsAMeshAsThePrimitiveOfTheSameShape) {
-  const Solid solid(::tactus::testing::box({0.25, 0.25, 0.25}), Sides::one, {});
+  const Solid solid(testing::box({0.25, 0.25, 0.25}), Sides::one, {});
   Object mesh = solid.object();
   mesh.tissue = 0;
-  Object primitive = block(0.125, 0, -0.125);
+  Object primitive = tissue_block(0.125, 0, -0.125);
   primitive.primitive.dimensions_m = {0.125, 0.125, 0.125};
   const Needle needle{.length_m = 0.1, .width_m = 1e-3};
   NeedleBench of_mesh({mesh}, {balanced_tissue()}, needle);
@@ -124,4 +124,4 @@ TEST(Needle, FeelsAMeshAsThePrimitiveOfTheSameShape) {
 }
 
 }  // namespace
-}  // namespace tactus::rendering::testing
+}  // namespace tactus::rendering
