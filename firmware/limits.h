@@ -9,7 +9,7 @@ namespace tactus::firmware {
 
 // The largest size of the Controller of one device with its World, without the scene image. A
 // static_assert in control/controller.cpp checks it.
-inline constexpr std::size_t kMaxControllerBytes = std::size_t{2} << 20;
+inline constexpr std::size_t kMaxControllerBytes = std::size_t{3} << 20;
 
 // The most bytes that Controller::save writes for one tool: 64 moving objects, the vertices and
 // nodes of deforming ones, 512 triangles near the tool and 64 proxies of single objects. A test

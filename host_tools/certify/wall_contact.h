@@ -65,7 +65,7 @@ constexpr bool is_stable(ContactVerdict verdict) {
   return verdict == ContactVerdict::quiet || verdict == ContactVerdict::settling;
 }
 
-// Runs trials. It holds the controller, half a megabyte, from trial to trial; a trial does not
+// Runs trials. It holds the controller, two megabytes, from trial to trial; a trial does not
 // depend on those before. Deterministic; one thread.
 class ContactTrial {
  public:

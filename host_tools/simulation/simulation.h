@@ -75,7 +75,7 @@ class Simulation {
   // The controller's storage for the devices beyond the first one.
   std::vector<firmware::DeviceController> more_devices_;
   std::vector<rendering::ToolSlot> more_tools_;
-  // On the heap, since it has more than a megabyte.
+  // On the heap, since it has more than two megabytes.
   std::unique_ptr<firmware::Controller> controller_;
   std::vector<Vec3> wishes_W_;
 };

@@ -51,7 +51,7 @@ struct ToolSlot {
   EffectTouch effects;
 };
 
-// Lives in static storage: fixed arrays of about a megabyte, no heap. Not thread-safe; one thread
+// Lives in static storage: fixed arrays of about two megabytes, no heap. Not thread-safe; one thread
 // owns it.
 class World {
  public:
