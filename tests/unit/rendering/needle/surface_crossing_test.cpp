@@ -89,12 +89,12 @@ TEST(SurfaceCrossing, OfAPrimitiveIsWhereItsInsideBegins) {
       const SurfaceCrossing crossing = crossing_of(primitive, from, to);
       ASSERT_EQ(crossing.ends_inside, testing::inside(primitive, to));
       // The first of many points of the way that is inside.
-      constexpr int kPoints = 2000;
-      for (int k = 0; k <= kPoints && !testing::inside(primitive, from); ++k) {
-        const double share = k / static_cast<double>(kPoints);
+      constexpr int kPointsOfWay = 2000;
+      for (int k = 0; k <= kPointsOfWay && !testing::inside(primitive, from); ++k) {
+        const double share = k / static_cast<double>(kPointsOfWay);
         if (testing::inside(primitive, from + share * (to - from))) {
           ASSERT_TRUE(crossing.enters);
-          ASSERT_NEAR(crossing.entry, share, 1.0 / kPoints + 1e-6);
+          ASSERT_NEAR(crossing.entry, share, 1.0 / kPointsOfWay + 1e-6);
           break;
         }
       }
