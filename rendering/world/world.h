@@ -51,8 +51,8 @@ struct ToolSlot {
   EffectTouch effects;
 };
 
-// Lives in static storage: fixed arrays of about two megabytes, no heap. Not thread-safe; one thread
-// owns it.
+// Lives in static storage: fixed arrays of about two megabytes, no heap. Not thread-safe; one
+// thread owns it.
 class World {
  public:
   // Has room for one tool.

@@ -16,8 +16,8 @@
 
 namespace tactus::rendering {
 
-// Every object that names an ObjectBody is a body; every other object is an obstacle to bodies, also
-// where it moves by itself. Bodies go through meshes that deform.
+// Every object that names an ObjectBody is a body; every other object is an obstacle to bodies,
+// also where it moves by itself. Bodies go through meshes that deform.
 class WorldBodies {
  public:
   // Starts over with the bodies of a scene; the objects stay alive. Returns false, and has no
