@@ -12,21 +12,17 @@ constexpr double kFastestRecovery_m_per_s = 1.0;
 // Slower approaches do not bounce, m/s: one of them is gravity's of a few ticks.
 constexpr double kLeastBounce_m_per_s = 0.05;
 
-// Returns the speed with which the surfaces part along an axis of the contact.
-double parting(const SolverBody& a, const SolverBody& b, const Vec3& axis_W,
-               const PushDirection& along) {
-  const Vec6& of_a = a.velocity();
-  const Vec6& of_b = b.velocity();
-  return axis_W.dot(of_b.head<3>() - of_a.head<3>()) + along.turn_a_W.dot(of_a.tail<3>()) +
-         along.turn_b_W.dot(of_b.tail<3>());
+// Returns the speed with which the surfaces part along a direction.
+double parting(const SolverBody& a, const SolverBody& b, const PushDirection& along) {
+  return dot(along.on_a, a.velocity()) + dot(along.on_b, b.velocity());
 }
 
 void push_apart(const BodyContact& contact, SolverBody& a, SolverBody& b,
                 const PushDirection& along, double impulse) {
   if (contact.pushes_a) {
-    a.gain(impulse * along.answer_a);
+    a.gain(impulse, along.answer_a);
   }
-  b.gain(impulse * along.answer_b);
+  b.gain(impulse, along.answer_b);
 }
 
 double inverse_or_zero(double x) {
@@ -36,12 +32,11 @@ double inverse_or_zero(double x) {
 // Computes the answers of the bodies as they are now.
 void set_answers(const BodyContact& contact, const SolverBody& a, const SolverBody& b,
                  SolvedPoint& point) {
-  for (std::size_t k = 0; k < 3; ++k) {
-    PushDirection& along = point.along[k];
+  for (PushDirection& along : point.along) {
     if (contact.pushes_a) {
-      along.answer_a = a.answer_to(wrench_of(-contact.axes_W[k], point.arm_a_W));
+      along.answer_a = a.answer_to(along.on_a);
     }
-    along.answer_b = b.answer_to(wrench_of(contact.axes_W[k], point.arm_b_W));
+    along.answer_b = b.answer_to(along.on_b);
   }
 }
 
@@ -62,9 +57,8 @@ void take_over_impulses(const PastContact& before, const BodyContact& contact, S
 
 // Friction holds a point within the circle that its push allows.
 void solve_friction(const BodyContact& contact, SolvedPoint& point, SolverBody& a, SolverBody& b) {
-  const Eigen::Vector2d along{
-      point.along[1].mass * parting(a, b, contact.axes_W[1], point.along[1]),
-      point.along[2].mass * parting(a, b, contact.axes_W[2], point.along[2])};
+  const Eigen::Vector2d along{point.along[1].mass * parting(a, b, point.along[1]),
+                              point.along[2].mass * parting(a, b, point.along[2])};
   Eigen::Vector2d wanted = point.rub - along;
   const double most = contact.surface.friction * point.push;
   const double size2 = wanted.squaredNorm();
@@ -118,19 +112,16 @@ void begin_contact(const Manifold& manifold, std::span<const SolverBody> bodies,
     point.push = 0.0;
     point.rub.setZero();
     point.hardest_push = 0.0;
-    set_answers(contact, a, b, point);
     for (std::size_t k = 0; k < 3; ++k) {
-      const Vec3& axis = contact.axes_W[k];
-      PushDirection& along = point.along[k];
-      along.turn_a_W = -point.arm_a_W.cross(axis);
-      along.turn_b_W = point.arm_b_W.cross(axis);
-      const double of_a = contact.pushes_a ? along.turn_a_W.dot(along.answer_a.tail<3>()) -
-                                                 axis.dot(along.answer_a.head<3>())
-                                           : 0.0;
-      along.mass = inverse_or_zero(of_a + along.turn_b_W.dot(along.answer_b.tail<3>()) +
-                                   axis.dot(along.answer_b.head<3>()));
+      point.along[k].on_a = wrench_of(-contact.axes_W[k], point.arm_a_W);
+      point.along[k].on_b = wrench_of(contact.axes_W[k], point.arm_b_W);
     }
-    point.parting_m_per_s = parting(a, b, normal, point.along[0]);
+    set_answers(contact, a, b, point);
+    for (PushDirection& along : point.along) {
+      along.mass = inverse_or_zero((contact.pushes_a ? dot(along.on_a, along.answer_a) : 0.0) +
+                                   dot(along.on_b, along.answer_b));
+    }
+    point.parting_m_per_s = parting(a, b, point.along[0]);
     if (before != nullptr) {
       take_over_impulses(*before, contact, point);
     }
@@ -185,7 +176,7 @@ void solve_contact(BodyContact& contact, std::span<SolverBody> bodies, double st
       mass_scale = softness->mass_scale;
       impulse_scale = softness->impulse_scale;
     }
-    const double approach = parting(a, b, contact.axes_W[0], point.along[0]);
+    const double approach = parting(a, b, point.along[0]);
     const double change =
         -point.along[0].mass * mass_scale * (approach + bias) - impulse_scale * point.push;
     const double push = std::max(point.push + change, 0.0);
@@ -215,7 +206,7 @@ void apply_restitution(BodyContact& contact, std::span<SolverBody> bodies) {
     if (point.parting_m_per_s > -kLeastBounce_m_per_s || !(point.hardest_push > 0.0)) {
       continue;
     }
-    const double approach = parting(a, b, contact.axes_W[0], point.along[0]);
+    const double approach = parting(a, b, point.along[0]);
     const double change =
         -point.along[0].mass * (approach + contact.surface.restitution * point.parting_m_per_s);
     const double push = std::max(point.push + change, 0.0);

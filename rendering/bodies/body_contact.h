@@ -23,11 +23,11 @@ struct ContactSurface {
 
 // A direction along which two solids push each other at a point: what the solver needs of it.
 struct PushDirection {
-  // The velocities' shares in the speed with which the surfaces part along it: the direction itself
-  // for the linear ones, with opposite signs, and these for the angular ones.
-  Vec3 turn_a_W = Vec3::Zero();
-  Vec3 turn_b_W = Vec3::Zero();
-  // What an impulse of 1 N s changes in the velocities of A and B.
+  // The impulses of 1 N s on A and B with their torques. Their products with the velocities add up
+  // to the speed with which the surfaces part.
+  Vec6 on_a = Vec6::Zero();
+  Vec6 on_b = Vec6::Zero();
+  // What they change in the velocities of A and B.
   Vec6 answer_a = Vec6::Zero();
   Vec6 answer_b = Vec6::Zero();
   // The mass that it pushes, kg.

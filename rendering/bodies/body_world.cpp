@@ -241,10 +241,21 @@ void BodyWorld::solve_contacts(double step_s, const ContactSoftness* softness) {
   }
 }
 
+// The velocities of a body that no springs hold have changed by the contacts' impulses alone.
 void BodyWorld::sum_impulses() {
-  std::ranges::fill(std::span(pushed_).first(body_count_), Vec6::Zero());
-  for (const BodyContact& contact : std::span(contacts_).first(contact_count_)) {
-    add_impulses(contact, pushed_);
+  bool any_springs = false;
+  for (std::size_t i = 0; i < body_count_; ++i) {
+    any_springs = any_springs || solids_[i].has_springs();
+    pushed_[i].setZero();
+  }
+  for (std::size_t i = 0; any_springs && i < contact_count_; ++i) {
+    add_impulses(contacts_[i], pushed_);
+  }
+  for (std::size_t i = 0; i < body_count_; ++i) {
+    if (!solids_[i].has_springs()) {
+      pushed_[i] =
+          solids_[i].impulse_since(bodies_[i].motion().velocity_W, bodies_[i].angular_velocity_W());
+    }
   }
 }
 

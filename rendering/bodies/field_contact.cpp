@@ -15,7 +15,7 @@ constexpr double kBump_m = 1e-7;
 // The descents on a face, beside that from its middle.
 constexpr std::size_t kStarts = 4;
 // A descent ends with steps shorter than this, m.
-constexpr double kFieldSettled_m = 1e-7;
+constexpr double kDescentEnd_m = 1e-7;
 
 // Returns a point of a convex polygon with this normal, or of a segment, near a point of its plane:
 // the point itself within.
@@ -95,7 +95,7 @@ void FieldContact::add(const ObstacleField& field, const Vec3& p_O, double radiu
     const double moved2 = (next - lowest).squaredNorm();
     lowest = next;
     seen = field.sample_at(lowest, side_);
-    if (moved2 < kFieldSettled_m * kFieldSettled_m) {
+    if (moved2 < kDescentEnd_m * kDescentEnd_m) {
       break;
     }
   }
@@ -160,11 +160,11 @@ Vec3 FieldContact::least_on(const ObstacleField& field, Corners corners, const V
     const Vec3 next = clamped(corners, normal, p - step * slope);
     const Vec3 moved = next - p;
     const std::optional<SurfaceSample> there = field.sample_at(next, side_);
-    if (!there || moved.norm() < kFieldSettled_m) {
+    if (!there || moved.norm() < kDescentEnd_m) {
       break;
     }
     const double bend = moved.dot(slope_of(*there) - slope);
-    step = bend > 0.0 ? std::min(moved.squaredNorm() / bend, size_m / kFieldSettled_m) : size_m;
+    step = bend > 0.0 ? std::min(moved.squaredNorm() / bend, size_m / kDescentEnd_m) : size_m;
     p = next;
     seen = there;
     if (seen->distance_m < least) {

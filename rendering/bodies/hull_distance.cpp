@@ -71,7 +71,7 @@ struct BestAxis {
 
 void consider_faces(const PlacedHull& owner, const PlacedHull& other, double sign, BestAxis& best) {
   for (std::size_t f = 0; f < owner.hull().faces.size(); ++f) {
-    const Vec3& normal = owner.normal_W(f);
+    const Vec3 normal = owner.normal_W(f);
     const Vec3& deepest = other.vertices_W()[other.support(-normal)];
     const Vec3& corner = owner.vertices_W()[owner.corners(f).front()];
     const Vec3 below = deepest - (deepest - corner).dot(normal) * normal;
@@ -90,8 +90,8 @@ bool arcs_cross(const PlacedHull& a, const HullEdge& edge_a, const PlacedHull& b
   if (a.hull().faces.empty() || b.hull().faces.empty()) {
     return true;
   }
-  const Vec3& p = a.normal_W(edge_a.left);
-  const Vec3& q = a.normal_W(edge_a.right);
+  const Vec3 p = a.normal_W(edge_a.left);
+  const Vec3 q = a.normal_W(edge_a.right);
   const Vec3 r = -b.normal_W(edge_b.left);
   const Vec3 s = -b.normal_W(edge_b.right);
   const Vec3 qp = q.cross(p);

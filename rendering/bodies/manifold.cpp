@@ -91,7 +91,7 @@ void cut(const Polygon& polygon, const Vec3& point, const Vec3& normal, Polygon&
 // is B's.
 Manifold on_face(const PlacedHull& owner, std::size_t face, const PlacedHull& other, double sign,
                  double margin_m) {
-  const Vec3& normal = owner.normal_W(face);
+  const Vec3 normal = owner.normal_W(face);
   const auto corners = owner.corners(face);
   std::array<Polygon, 2> polygons;
   facing(other, -normal, polygons[0]);
@@ -135,7 +135,7 @@ struct FaceGap {
 FaceGap widest_gap(const PlacedHull& owner, const PlacedHull& other, double margin_m) {
   FaceGap widest;
   for (std::size_t f = 0; f < owner.hull().faces.size(); ++f) {
-    const Vec3& normal = owner.normal_W(f);
+    const Vec3 normal = owner.normal_W(f);
     double lowest = std::numeric_limits<double>::infinity();
     for (const Vec3& vertex : other.vertices_W()) {
       lowest = std::min(lowest, vertex.dot(normal));

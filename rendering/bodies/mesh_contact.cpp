@@ -41,6 +41,18 @@ bool is_behind(const Vec3& from, const Vec3& to, const Vec3& normal) {
   return along <= 0.0 || along * along <= kSlack * kSlack * way.squaredNorm();
 }
 
+// Returns true if a face of the hull has both ends of a segment farther beyond it than `reach_m`.
+bool is_beyond_a_face(const PlacedHull& hull, const std::array<Vec3, 2>& ends, double reach_m) {
+  for (std::size_t f = 0; f < hull.hull().faces.size(); ++f) {
+    const Vec3 normal = hull.normal_W(f);
+    const double nearest = std::min(ends[0].dot(normal), ends[1].dot(normal));
+    if (nearest - hull.vertices_W()[hull.corners(f).front()].dot(normal) > reach_m) {
+      return true;
+    }
+  }
+  return false;
+}
+
 // Returns the corner of a triangle that is not on its edge with these two corners.
 const Vec3& corner_across(const NearTriangle& triangle, std::uint32_t i, std::uint32_t j) {
   const TriangleIndices& n = triangle.numbers;
@@ -135,7 +147,8 @@ void MeshContact::add_edge(const NearTriangle& triangle, std::size_t k, Sides si
   const Vec3 reach = hull_O.half_W() + Vec3::Constant(margin_m + hull_O.hull().radius_m);
   const Vec3 lower = ends[0].cwiseMin(ends[1]) - hull_O.middle_W();
   const Vec3 upper = ends[0].cwiseMax(ends[1]) - hull_O.middle_W();
-  if ((lower.array() > reach.array()).any() || (upper.array() < -reach.array()).any()) {
+  if ((lower.array() > reach.array()).any() || (upper.array() < -reach.array()).any() ||
+      is_beyond_a_face(hull_O, ends, margin_m + hull_O.hull().radius_m)) {
     return;
   }
   edge_.place({.vertices_O = ends, .edges = kSegment}, RigidPose{});

@@ -30,7 +30,7 @@ bool is_apart(const PlacedHull& hull, const NearTriangle& triangle, double margi
   }
   const std::size_t faces = hull.hull().faces.size();
   for (std::size_t f = 0; f < faces && faces <= kFewFaces; ++f) {
-    const Vec3& normal = hull.normal_W(f);
+    const Vec3 normal = hull.normal_W(f);
     const double face = hull.vertices_W()[hull.corners(f).front()].dot(normal) + reach;
     if (std::min({a.dot(normal), b.dot(normal), c.dot(normal)}) > face) {
       return true;

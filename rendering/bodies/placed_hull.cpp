@@ -17,7 +17,7 @@ void PlacedHull::place(const ConvexHull& hull, const RigidPose& X_WO) {
     lower = lower.cwiseMin(vertices_W_[i]);
     upper = upper.cwiseMax(vertices_W_[i]);
   }
-  const std::size_t faces = std::min(hull.faces.size(), kMaxHullFaces);
+  const std::size_t faces = std::min(hull.faces.size(), kKeptNormals);
   for (std::size_t f = 0; f < faces; ++f) {
     normals_W_[f] = rotation_ * hull.faces[f].normal_O;
   }

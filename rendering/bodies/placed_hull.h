@@ -13,9 +13,6 @@
 
 namespace tactus::rendering {
 
-// The most faces of a hull: those of triangles between all of its vertices, by Euler's formula.
-inline constexpr std::size_t kMaxHullFaces = 2 * kMaxHullVertices - 4;
-
 // A hull at its place in a tick.
 class PlacedHull {
  public:
@@ -27,7 +24,9 @@ class PlacedHull {
   [[nodiscard]] std::span<const Vec3> vertices_W() const { return {vertices_W_.data(), count_}; }
   [[nodiscard]] const ConvexHull& hull() const { return hull_; }
   // Returns the outward normal of a face, world frame.
-  [[nodiscard]] const Vec3& normal_W(std::size_t face) const { return normals_W_[face]; }
+  [[nodiscard]] Vec3 normal_W(std::size_t face) const {
+    return face < kKeptNormals ? normals_W_[face] : Vec3{rotation_ * hull_.faces[face].normal_O};
+  }
   // Returns the numbers of a face's corners.
   [[nodiscard]] std::span<const std::uint8_t> corners(std::size_t face) const {
     const HullFace& polygon = hull_.faces[face];
@@ -59,7 +58,9 @@ class PlacedHull {
   Vec3 translation_ = Vec3::Zero();
   std::array<Vec3, kMaxHullVertices> vertices_W_;
   std::size_t count_ = 0;
-  std::array<Vec3, kMaxHullFaces> normals_W_;
+  // The normals of the first faces: all of a box.
+  static constexpr std::size_t kKeptNormals = 8;
+  std::array<Vec3, kKeptNormals> normals_W_;
   Vec3 middle_W_ = Vec3::Zero();
   Vec3 half_W_ = Vec3::Zero();
   double reach_m_ = 0.0;

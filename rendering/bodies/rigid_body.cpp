@@ -1,5 +1,7 @@
 #include "rendering/bodies/rigid_body.h"
 
+#include <cmath>
+
 #include <Eigen/LU>
 
 #include "rendering/geometry/portable_math.h"
@@ -112,17 +114,24 @@ Mat3 rotate_freely(const Mat3& inverse_inertia_C, const Mat3& rotation_WO, const
 }
 
 // Rodrigues' formula with sin(x)/x and (1 - cos x)/x^2 = (sin(x/2)/(x/2))^2 / 2, which lose no
-// digits at small angles.
+// digits at small angles; below kSmall their series are exact to rounding after four terms.
 Mat3 rotation_by(const Vec3& turn) {
-  constexpr double kTiny = 1e-8;
-  const double angle = turn.norm();
-  const Mat3 cross = cross_matrix(turn);
-  if (!(angle > kTiny)) {
-    return Mat3::Identity() + cross + 0.5 * cross * cross;
+  constexpr double kSmall = 0.01;
+  const double angle2 = turn.squaredNorm();
+  double along = 0.0;
+  double across = 0.0;
+  if (angle2 < kSmall * kSmall) {
+    along = 1.0 - angle2 / 6.0 * (1.0 - angle2 / 20.0 * (1.0 - angle2 / 42.0));
+    across = 0.5 * (1.0 - angle2 / 12.0 * (1.0 - angle2 / 30.0 * (1.0 - angle2 / 56.0)));
+  } else {
+    const double angle = std::sqrt(angle2);
+    const double half = sine_cosine(0.5 * angle).sine / (0.5 * angle);
+    along = sine_cosine(angle).sine / angle;
+    across = 0.5 * half * half;
   }
-  const double half = sine_cosine(0.5 * angle).sine / (0.5 * angle);
-  return Mat3::Identity() + (sine_cosine(angle).sine / angle) * cross +
-         (0.5 * half * half) * cross * cross;
+  // The square of the cross product's matrix is w w' - w^2.
+  return (1.0 - across * angle2) * Mat3::Identity() + along * cross_matrix(turn) +
+         across * turn * turn.transpose();
 }
 
 }  // namespace tactus::rendering

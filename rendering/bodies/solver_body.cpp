@@ -59,6 +59,13 @@ void SolverBody::set_springs(const Mat6& inertia) {
   has_springs_ = true;
 }
 
+Vec6 SolverBody::impulse_since(const Vec3& velocity_W, const Vec3& angular_velocity_W) const {
+  Vec6 impulse;
+  impulse.head<3>() = mass_kg_ * (velocity_.head<3>() - velocity_W);
+  impulse.tail<3>() = inertia_W_ * (velocity_.tail<3>() - angular_velocity_W);
+  return impulse;
+}
+
 Vec6 SolverBody::answer_to(const Vec6& wrench) const {
   if (has_springs_) {
     return apparent_inverse_ * wrench;

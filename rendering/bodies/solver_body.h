@@ -1,9 +1,13 @@
 // A body while its tick is solved: its velocities, and how impulses change them.
 #pragma once
 
+#include <cstddef>
+#include <cstring>
+
 #include <Eigen/Core>
 
 #include "rendering/bodies/rigid_body.h"
+#include "rendering/geometry/pair.h"
 #include "rendering/geometry/vector.h"
 
 namespace tactus::rendering {
@@ -20,6 +24,27 @@ inline Vec6 wrench_of(const Vec3& impulse_W, const Vec3& arm_W) {
   wrench.head<3>() = impulse_W;
   wrench.tail<3>() = arm_W.cross(impulse_W);
   return wrench;
+}
+
+// Returns the product of two such vectors.
+inline double dot(const Vec6& x, const Vec6& y) {
+  const double* const p = x.data();
+  const double* const q = y.data();
+  const Pair sum =
+      pair_at(p) * pair_at(q) + pair_at(p + 2) * pair_at(q + 2) + pair_at(p + 4) * pair_at(q + 4);
+  return sum[0] + sum[1];
+}
+
+// Adds a multiple of a vector to another one.
+inline void add(double factor, const Vec6& x, Vec6& sum) {
+  const double* const p = x.data();
+  double* const s = sum.data();
+  const Pair first = pair_at(s) + both(factor) * pair_at(p);
+  const Pair second = pair_at(s + 2) + both(factor) * pair_at(p + 2);
+  const Pair third = pair_at(s + 4) + both(factor) * pair_at(p + 4);
+  std::memcpy(s, &first, sizeof first);
+  std::memcpy(s + 2, &second, sizeof second);
+  std::memcpy(s + 4, &third, sizeof third);
 }
 
 // The velocities of a body in a sub-step. What nothing can push, an obstacle, has no mobility and
@@ -45,9 +70,13 @@ class SolverBody {
   }
   [[nodiscard]] const Vec6& velocity() const { return velocity_; }
 
-  // Changes the velocities by an impulse with its torque, or by what it would change.
+  // Changes the velocities by an impulse with its torque, or by a multiple of an answer_to() one.
   void accelerate(const Vec6& wrench) { velocity_ += answer_to(wrench); }
-  void gain(const Vec6& velocity) { velocity_ += velocity; }
+  void gain(double factor, const Vec6& answer) { add(factor, answer, velocity_); }
+
+  // Returns the impulse, with its torque, that makes the difference from these velocities. For a
+  // body that no springs hold.
+  [[nodiscard]] Vec6 impulse_since(const Vec3& velocity_W, const Vec3& angular_velocity_W) const;
 
   // Returns true if the body answers an impulse: an obstacle does not.
   [[nodiscard]] bool can_move() const { return inverse_mass_ > 0.0; }
