@@ -2,8 +2,11 @@
 
 #include <cmath>
 #include <cstdint>
+#include <string>
 #include <utility>
+#include <vector>
 
+#include "host_tools/bake/scene/body_bake.h"
 #include "host_tools/mesh/icosphere.h"
 #include "host_tools/simulation/random.h"
 #include "rendering/friction/friction_model.h"
@@ -116,6 +119,44 @@ MovingScene sheets(std::size_t ticks) {
                            0.01 + 0.03 * std::cos(3.0 * t));
   }
   return pile;
+}
+
+MovingScene wall(const std::string& name, std::size_t bricks, std::size_t ticks) {
+  constexpr std::size_t kRows = 4;
+  constexpr double kBrick_kg = 0.05;
+  const Vec3 half(0.02, 0.01, 0.01);
+  // The gaps between bricks of a row: they are near each other, and their contacts count.
+  constexpr double kBrickGap_m = 4e-4;
+  MovingScene wall{.name = name, .scene = {.tool_radius_m = kPathRadius_m}};
+  BakedObject floor{.name = "floor", .material = {.friction = rendering::cone_friction(0.6, 0.4)}};
+  floor.shape = rendering::Primitive{.kind = rendering::PrimitiveKind::plane};
+  wall.scene.objects.push_back(std::move(floor));
+  for (std::size_t i = 0; i < bricks; ++i) {
+    const auto row = static_cast<double>(i % kRows);
+    const auto column = static_cast<double>(i / kRows);
+    const double shift_m = i % 2 == 0 ? 0.0 : half.x();
+    const Vec3 place(column * (2.0 * half.x() + kBrickGap_m) + shift_m,
+                     half.y() * (2.0 * row + 1.0), 0.0);
+    const rendering::Primitive box{.kind = rendering::PrimitiveKind::box,
+                                   .X_WO = {.translation = place},
+                                   .dimensions_m = {half.x(), half.y(), half.z()}};
+    BakedObject brick{
+        .name = "brick " + std::to_string(i),
+        .material = {.stiffness_N_per_m = 1000.0, .friction = rendering::cone_friction(0.6, 0.4)}};
+    brick.shape = box;
+    brick.motion.moves = true;
+    std::vector<std::string> warnings;
+    brick.body = bake_body({.mass_kg = kBrick_kg}, brick.shape, {}, {}, warnings);
+    wall.scene.objects.push_back(std::move(brick));
+  }
+  const double length_m = 2.0 * half.x() * static_cast<double>(bricks / kRows);
+  const double top_m = 2.0 * half.y() * static_cast<double>(kRows) + kPathRadius_m;
+  for (std::size_t i = 0; i < ticks; ++i) {
+    const double t = kPathTick_s * static_cast<double>(i);
+    wall.path.emplace_back(0.5 * length_m * (1.0 + 0.8 * std::sin(0.7 * t)),
+                           top_m - 0.0004 * (1.0 + std::sin(2.0 * t)), 0.003 * std::sin(1.3 * t));
+  }
+  return wall;
 }
 
 }  // namespace tactus::host

@@ -25,4 +25,8 @@ MovingScene swarm(const std::string& name, int level, double speed, std::size_t 
 // to 3.1 Hz. A tool of 2 mm radius goes up and down between them.
 MovingScene sheets(std::size_t ticks);
 
+// Returns a wall of bricks as bodies, four rows of a quarter of `bricks` each, which stand on a
+// plane and on each other. A tool of 2 mm radius strokes along its top.
+MovingScene wall(const std::string& name, std::size_t bricks, std::size_t ticks);
+
 }  // namespace tactus::host

@@ -17,6 +17,7 @@
 #include "host_tools/benchmark/workload.h"
 #include "host_tools/friction/parameter_names.h"
 #include "host_tools/simulation/run.h"
+#include "rendering/limits.h"
 
 namespace tactus::host {
 namespace {
@@ -180,7 +181,8 @@ void bench_moving(const TickBenchOptions& options) {
   const std::size_t ticks = std::min(options.ticks, kMostTicks);
   for (const MovingScene& moving :
        {swarm("64 movers near", kCoarse, 1.0, ticks),
-        swarm("64 fast movers near", kFine, 5.0, ticks), sheets(ticks)}) {
+        swarm("64 fast movers near", kFine, 5.0, ticks), sheets(ticks), wall("8 bodies", 8, ticks),
+        wall("32 bodies", rendering::kMaxBodies, ticks)}) {
     const InstructionCount count = count_instructions(moving.scene, moving.path);
     if (options.json) {
       const nlohmann::ordered_json json{{"bench", "moving"},

@@ -3,11 +3,13 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstdint>
 #include <memory>
 #include <utility>
 #include <vector>
 
 #include "rendering/scene/scene_image.h"
+#include "rendering/scene/scene_world.h"
 #include "rendering/world/world.h"
 
 namespace tactus::host {
@@ -33,6 +35,29 @@ TEST(MovingScenes, FillTheWorldAndAreTouched) {
       contacts += world->touch({.p_W = p}).contact != rendering::ContactKind::none ? 1U : 0U;
     }
     EXPECT_GT(contacts, kTicks / 2);
+  }
+}
+
+// The wall has as many contact points as its figures are about, and stands.
+TEST(MovingScenes, AWallOfBodiesStands) {
+  constexpr std::size_t kTicks = 500;
+  const MovingScene moving = wall("32 bodies", rendering::kMaxBodies, kTicks);
+  const std::vector<std::byte> bytes = write_image(moving.scene);
+  const auto image = rendering::SceneImage::open(bytes);
+  ASSERT_TRUE(image.has_value());
+  const auto world = std::make_unique<rendering::World>();
+  ASSERT_TRUE(world->set_scene(image->objects(), rendering::world_of(*image)));
+  std::size_t contacts = 0;
+  for (const Vec3& p : moving.path) {
+    contacts += world->touch({.p_W = p}).contact != rendering::ContactKind::none ? 1U : 0U;
+  }
+  EXPECT_GT(contacts, kTicks / 2);
+  EXPECT_GT(world->bodies().point_count(), 200U);
+  EXPECT_FALSE(world->bodies().has_left_out_contacts());
+  for (std::size_t i = 0; i < image->objects().size(); ++i) {
+    if (const auto* const brick = world->body(static_cast<std::uint32_t>(i)); brick != nullptr) {
+      EXPECT_GT(brick->motion().rotation_WO(1, 1), 0.999) << i;
+    }
   }
 }
 
