@@ -38,6 +38,9 @@ bool WorldBodies::set(const SceneObjects& scene, std::span<const ObjectBody> bod
 
 bool WorldBodies::add(const SceneObjects& scene, std::uint32_t number, const ObjectBody* body) {
   const Object& object = scene[number];
+  if (body == nullptr && object.deforms) {
+    return true;  // bodies go through it
+  }
   const bool is_primitive = object.surface == SurfaceKind::primitive;
   const std::size_t count = body != nullptr ? bodies_.bodies().size() : obstacle_count_;
   if (count == (body != nullptr ? kMaxBodies : kMaxObstacles)) {
@@ -56,9 +59,6 @@ bool WorldBodies::add(const SceneObjects& scene, std::uint32_t number, const Obj
     start.body.hull = hull;
     body_objects_[count] = number;
     return bodies_.add_body(start);
-  }
-  if (object.deforms) {
-    return true;
   }
   obstacle_objects_[count] = number;
   ++obstacle_count_;

@@ -171,6 +171,16 @@ bool has_bodies(const SceneDescription& description) {
     throw InputError(fmt::format("{}: {} bodies, where {} fit; leave some out", description.file,
                                  bodies, rendering::kMaxBodies));
   }
+  const auto obstacles = std::ranges::count_if(
+      description.objects,
+      [](const ObjectDescription& object) { return !object.body && !object.motion.deforms; });
+  if (bodies > 0 && obstacles > static_cast<std::ptrdiff_t>(rendering::kMaxObstacles)) {
+    throw InputError(
+        fmt::format("{}: {} objects without a body beside bodies, which can meet {} of them; leave "
+                    "some out, or "
+                    "join their meshes",
+                    description.file, obstacles, rendering::kMaxObstacles));
+  }
   return bodies > 0;
 }
 

@@ -15,7 +15,7 @@ namespace {
 
 // y = 0, with the solid below; in decimetres, so that the scale counts.
 constexpr std::array kGround{Instruction{.opcode = Opcode::y}};
-constexpr double kBall_m = 0.05;
+constexpr double kFieldBall_m = 0.05;
 // x^2 + y^2 + z^2 - 1, with the ball's radius for a unit.
 constexpr std::array kUnitBall{Instruction{.opcode = Opcode::x},
                                Instruction{.opcode = Opcode::y},
@@ -27,7 +27,7 @@ constexpr std::array kUnitBall{Instruction{.opcode = Opcode::x},
                                Instruction{.opcode = Opcode::add, .a = 6, .b = 5},
                                Instruction{.opcode = Opcode::offset, .a = 7, .constant = -1.0}};
 
-ImplicitSurface ground() {
+ImplicitSurface flat_formula() {
   return {.formula = {kGround},
           .bounds_O = {.lower = Vec3::Constant(-20.0), .upper = Vec3::Constant(20.0)},
           .scale_m = 0.1};
@@ -35,7 +35,7 @@ ImplicitSurface ground() {
 ImplicitSurface ball() {
   return {.formula = {kUnitBall},
           .bounds_O = {.lower = Vec3::Constant(-3.0), .upper = Vec3::Constant(3.0)},
-          .scale_m = kBall_m};
+          .scale_m = kFieldBall_m};
 }
 
 void add_field(BodyBench& bench, const ObstacleField& field, double friction) {
@@ -53,7 +53,7 @@ double largest_difference(BodyBench& a, BodyBench& b, double seconds) {
 }
 
 TEST(FieldContact, BodiesMoveOnALevelFormulaAsOnAPlane) {
-  const ImplicitSurface surface = ground();
+  const ImplicitSurface surface = flat_formula();
   for (const bool is_ball : {true, false}) {
     BodyBench field;
     BodyBench plane;
@@ -75,13 +75,13 @@ TEST(FieldContact, BodiesMoveOnALevelFormulaAsOnAPlane) {
 TEST(FieldContact, ABallRollsOffABallOfAFormulaAsOffABall) {
   const ImplicitSurface surface = ball();
   PrimitiveHull hull;
-  hull.make({.kind = PrimitiveKind::sphere, .dimensions_m = {kBall_m}});
+  hull.make({.kind = PrimitiveKind::sphere, .dimensions_m = {kFieldBall_m}});
   BodyBench field;
   BodyBench sphere;
   add_field(field, {.implicit = &surface}, 0.4);
   ASSERT_TRUE(sphere.world().add_obstacle({.hull = hull.hull(), .surface = {.friction = 0.4}}));
   for (BodyBench* bench : {&field, &sphere}) {
-    bench->add_ball(0.02, 0.05, (kBall_m + 0.02) * Vec3(0.1, 1.0, 0.05).normalized(),
+    bench->add_ball(0.02, 0.05, (kFieldBall_m + 0.02) * Vec3(0.1, 1.0, 0.05).normalized(),
                     {.friction = 0.4});
   }
   EXPECT_LT(largest_difference(field, sphere, 0.4), 2e-5);
@@ -92,9 +92,10 @@ TEST(FieldContact, AFaceRestsOnAFormula) {
   const ImplicitSurface surface = ball();
   BodyBench bench;
   add_field(bench, {.implicit = &surface}, 0.5);
-  bench.add_box(Vec3(0.03, 0.005, 0.03), 0.1, {.translation = {0.0, kBall_m + 0.006, 0.0}}, 0.5);
+  bench.add_box(Vec3(0.03, 0.005, 0.03), 0.1, {.translation = {0.0, kFieldBall_m + 0.006, 0.0}},
+                0.5);
   bench.run(0.5);
-  EXPECT_NEAR(bench.body(0).motion().center_W.y(), kBall_m + 0.005, 2e-5);
+  EXPECT_NEAR(bench.body(0).motion().center_W.y(), kFieldBall_m + 0.005, 2e-5);
 }
 
 // A ball in the hole of a torus touches it all round.

@@ -120,6 +120,20 @@ TEST_F(BodyScene, SaysWhereBodiesAreNotMetByTheirShape) {
   EXPECT_TRUE(contains(report.objects[1].warnings[0], "ring: other objects meet its convex hull"));
 }
 
+TEST_F(BodyScene, HasNoMoreObstaclesThanBodiesCanMeet) {
+  std::string posts;
+  for (int i = 0; i < 64; ++i) {
+    posts += "[[object]]\nprimitive = \"sphere\"\nradius_m = 0.001\nposition_m = [" +
+             std::to_string(0.003 * i) + ", 0.0, 0.0]\n";
+  }
+  const std::string ball =
+      "[[object]]\nprimitive = \"sphere\"\nradius_m = 0.01\nposition_m = [0.0, 0.1, 0.0]\n"
+      "[object.body]\n";
+  bake(posts + ball);
+  static_cast<void>(run(1));
+  EXPECT_THROW(bake(posts + "[[object]]\nprimitive = \"plane\"\n" + ball), host::InputError);
+}
+
 // Every kind of surface stops a ball: it comes to rest upon it, and not below.
 TEST_F(BodyScene, RestsOnEveryKindOfSurface) {
   static_cast<void>(folder_.write("sheet.off", kSheet));
