@@ -34,7 +34,7 @@ PlacedHull::RimPoints PlacedHull::rim_points(const Vec3& normal_W) const {
   // Below this lean, rad, a circle lies in the plane: a lowest point would turn with the rounding.
   constexpr double kLean = 1e-3;
   // The slope of a side that lies along the plane.
-  constexpr double kAlong = 0.1;
+  constexpr double kSlopeAlong = 0.1;
   const HullCircles& circles = *hull_.circles;
   const Vec3 axis = rotation_ * circles.axis_O;
   Vec3 up = normal_W - normal_W.dot(axis) * axis;
@@ -61,7 +61,7 @@ PlacedHull::RimPoints PlacedHull::rim_points(const Vec3& normal_W) const {
     }
   }
   const Vec3 side = lowest[1] - lowest[0];
-  rim.is_along_side = lean > kLean && std::abs(side.dot(normal_W)) < kAlong * side.norm();
+  rim.is_along_side = lean > kLean && std::abs(side.dot(normal_W)) < kSlopeAlong * side.norm();
   return rim;
 }
 

@@ -44,7 +44,7 @@ TEST(MovingScenes, AWallOfBodiesStands) {
   const MovingScene moving = wall("32 bodies", rendering::kMaxBodies, kTicks);
   const std::vector<std::byte> bytes = write_image(moving.scene);
   const auto image = rendering::SceneImage::open(bytes);
-  ASSERT_TRUE(image.has_value());
+  ASSERT_TRUE(image.has_value()) << rendering::describe(image.error().fault);
   const auto world = std::make_unique<rendering::World>();
   ASSERT_TRUE(world->set_scene(image->objects(), rendering::world_of(*image)));
   std::size_t contacts = 0;

@@ -123,7 +123,8 @@ TEST_F(BodyScene, SaysWhereBodiesAreNotMetByTheirShape) {
 TEST_F(BodyScene, HasNoMoreObstaclesThanBodiesCanMeet) {
   std::string posts;
   for (int i = 0; i < 64; ++i) {
-    posts += "[[object]]\nprimitive = \"sphere\"\nradius_m = 0.001\nposition_m = [" +
+    posts += "[[object]]\nname = \"post_" + std::to_string(i) +
+             "\"\nprimitive = \"sphere\"\nradius_m = 0.001\nposition_m = [" +
              std::to_string(0.003 * i) + ", 0.0, 0.0]\n";
   }
   const std::string ball =
