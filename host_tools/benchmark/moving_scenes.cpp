@@ -1,5 +1,6 @@
 #include "host_tools/benchmark/moving_scenes.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <string>
@@ -7,6 +8,8 @@
 #include <vector>
 
 #include "host_tools/bake/scene/body_bake.h"
+#include "host_tools/bake/scene/mesh_bake.h"
+#include "host_tools/bake/scene/shape_description.h"
 #include "host_tools/mesh/icosphere.h"
 #include "host_tools/simulation/random.h"
 #include "rendering/friction/friction_model.h"
@@ -130,11 +133,13 @@ MovingScene wall(const std::string& name, std::size_t bricks, std::size_t ticks)
   MovingScene wall{.name = name, .scene = {.tool_radius_m = kPathRadius_m}};
   BakedObject floor{.name = "floor", .material = {.friction = rendering::cone_friction(0.6, 0.4)}};
   floor.shape = rendering::Primitive{.kind = rendering::PrimitiveKind::plane};
+  floor.mesh = bake_mesh(picture_of(floor.shape, {}, floor.sides).mesh);
   wall.scene.objects.push_back(std::move(floor));
   for (std::size_t i = 0; i < bricks; ++i) {
     const auto row = static_cast<double>(i % kRows);
     const auto column = static_cast<double>(i / kRows);
-    const double shift_m = i % 2 == 0 ? 0.0 : half.x();
+    // The bricks at the ends of the upper rows stand on one brick, with their middle over it.
+    const double shift_m = i % 2 == 0 ? 0.0 : 0.5 * half.x();
     const Vec3 place(column * (2.0 * half.x() + kBrickGap_m) + shift_m,
                      half.y() * (2.0 * row + 1.0), 0.0);
     const rendering::Primitive box{.kind = rendering::PrimitiveKind::box,
@@ -144,6 +149,7 @@ MovingScene wall(const std::string& name, std::size_t bricks, std::size_t ticks)
         .name = "brick " + std::to_string(i),
         .material = {.stiffness_N_per_m = 1000.0, .friction = rendering::cone_friction(0.6, 0.4)}};
     brick.shape = box;
+    brick.mesh = bake_mesh(picture_of(brick.shape, {}, brick.sides).mesh);
     brick.motion.moves = true;
     std::vector<std::string> warnings;
     brick.body = bake_body({.mass_kg = kBrick_kg}, brick.shape, {}, {}, warnings);
@@ -153,8 +159,11 @@ MovingScene wall(const std::string& name, std::size_t bricks, std::size_t ticks)
   const double top_m = 2.0 * half.y() * static_cast<double>(kRows) + kPathRadius_m;
   for (std::size_t i = 0; i < ticks; ++i) {
     const double t = kPathTick_s * static_cast<double>(i);
+    // The tool comes from above: it would not feel a brick in which it began.
+    const double above_m = 0.001 * std::max(0.0, 1.0 - 50.0 * t);
     wall.path.emplace_back(0.5 * length_m * (1.0 + 0.8 * std::sin(0.7 * t)),
-                           top_m - 0.0004 * (1.0 + std::sin(2.0 * t)), 0.003 * std::sin(1.3 * t));
+                           top_m + above_m - 0.0004 * (1.0 + std::sin(2.0 * t)),
+                           0.003 * std::sin(1.3 * t));
   }
   return wall;
 }
