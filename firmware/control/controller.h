@@ -200,6 +200,7 @@ class ControllerOf : private MoreDevices<kDevices>, public Controller {
   ControllerOf() : Controller(this->devices, this->tools) {}
   ControllerOf(const ControllerOf&) = delete;
   ControllerOf& operator=(const ControllerOf&) = delete;
+  ~ControllerOf() = default;
 };
 
 }  // namespace tactus::firmware

@@ -36,7 +36,7 @@ class PrimitiveHull {
   void make_cylinder(const Primitive& primitive);
   void make_cone(const Primitive& primitive);
 
-  std::array<Vec3, 2 * kSides> vertices_O_;
+  std::array<Vec3, std::size_t{2} * kSides> vertices_O_;
   std::array<HullFace, kSides + 2> faces_;
   PrimitiveKind kind_ = PrimitiveKind::sphere;
   double radius_m_ = 0.0;

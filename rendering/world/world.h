@@ -245,6 +245,7 @@ class WorldOf : private std::array<ToolSlot, kTools - 1>, public World {
   WorldOf() : World(std::span<ToolSlot>(static_cast<std::array<ToolSlot, kTools - 1>&>(*this))) {}
   WorldOf(const WorldOf&) = delete;
   WorldOf& operator=(const WorldOf&) = delete;
+  ~WorldOf() = default;
 };
 
 }  // namespace tactus::rendering
