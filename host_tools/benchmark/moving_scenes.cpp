@@ -137,7 +137,8 @@ MovingScene wall(const std::string& name, std::size_t bricks, std::size_t ticks)
   wall.scene.objects.push_back(std::move(floor));
   for (std::size_t i = 0; i < bricks; ++i) {
     const auto row = static_cast<double>(i % kRows);
-    const auto column = static_cast<double>(i / kRows);
+    const std::size_t number = i / kRows;
+    const auto column = static_cast<double>(number);
     // The bricks at the ends of the upper rows stand on one brick, with their middle over it.
     const double shift_m = i % 2 == 0 ? 0.0 : 0.5 * half.x();
     const Vec3 place(column * (2.0 * half.x() + kBrickGap_m) + shift_m,
@@ -155,7 +156,8 @@ MovingScene wall(const std::string& name, std::size_t bricks, std::size_t ticks)
     brick.body = bake_body({.mass_kg = kBrick_kg}, brick.shape, {}, {}, warnings);
     wall.scene.objects.push_back(std::move(brick));
   }
-  const double length_m = 2.0 * half.x() * static_cast<double>(bricks / kRows);
+  const std::size_t columns = bricks / kRows;
+  const double length_m = 2.0 * half.x() * static_cast<double>(columns);
   const double top_m = 2.0 * half.y() * static_cast<double>(kRows) + kPathRadius_m;
   for (std::size_t i = 0; i < ticks; ++i) {
     const double t = kPathTick_s * static_cast<double>(i);

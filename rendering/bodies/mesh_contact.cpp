@@ -117,7 +117,7 @@ void MeshContact::add_vertex(const Vec3& vertex, double radius_m, double margin_
 
 void MeshContact::add_edges(Sides sides, const PlacedHull& hull_O, double margin_m) {
   const auto all = near_.all();
-  for (std::uint16_t t = 0; t < all.size(); ++t) {
+  for (std::size_t t = 0; t < all.size(); ++t) {
     for (std::size_t k = 0; k < 3; ++k) {
       const std::uint16_t other = all[t].across[k];
       const bool is_first = other == NearTriangle::kNone || t < other;

@@ -134,7 +134,8 @@ void NearTriangles::connect() {
   // The places of edges that wait for their neighbour: three times the triangle plus the edge.
   std::array<std::uint16_t, kPlaces> waiting;
   waiting.fill(NearTriangle::kNone);
-  for (std::uint16_t t = 0; t < count_; ++t) {
+  const auto count = static_cast<std::uint16_t>(count_);
+  for (std::uint16_t t = 0; t < count; ++t) {
     for (std::uint16_t k = 0; k < 3; ++k) {
       const auto [low, high] = ends_of(triangles_[t], k);
       // Two odd multipliers spread the numbers of an edge over the places.

@@ -1,5 +1,6 @@
 #include "rendering/bodies/primitive_hull.h"
 
+#include <cstddef>
 #include <cstdint>
 #include <numbers>
 
@@ -28,6 +29,7 @@ constexpr std::array<HullEdge, 12> kBoxEdges{{{0, 1, 2, 4},
 constexpr std::array<HullEdge, 1> kAxis{{{0, 1, 0, 0}}};
 
 constexpr std::uint8_t kSides = PrimitiveHull::kSides;
+constexpr std::size_t kManySides = kSides;
 constexpr std::uint8_t next_side(std::uint8_t i) {
   return static_cast<std::uint8_t>((i + 1) % kSides);
 }
@@ -38,19 +40,19 @@ constexpr std::uint8_t number(int i) {
 // A prism: its corners at the bottom, counter-clockwise seen from above, and those at the top. The
 // faces are the sides, the bottom and the top.
 constexpr auto kPrismCorners = [] {
-  std::array<std::uint8_t, 6U * kSides> corners{};
+  std::array<std::uint8_t, 6 * kManySides> corners{};
   for (std::uint8_t i = 0; i < kSides; ++i) {
-    corners[4U * i] = i;
-    corners[4U * i + 1] = next_side(i);
-    corners[4U * i + 2] = number(kSides + next_side(i));
-    corners[4U * i + 3] = number(kSides + i);
-    corners[4U * kSides + i] = number(kSides - 1 - i);
-    corners[5U * kSides + i] = number(kSides + i);
+    corners[4 * std::size_t{i}] = i;
+    corners[4 * std::size_t{i} + 1] = next_side(i);
+    corners[4 * std::size_t{i} + 2] = number(kSides + next_side(i));
+    corners[4 * std::size_t{i} + 3] = number(kSides + i);
+    corners[4 * kManySides + i] = number(kSides - 1 - i);
+    corners[5 * kManySides + i] = number(kSides + i);
   }
   return corners;
 }();
 constexpr auto kPrismEdges = [] {
-  std::array<HullEdge, 3U * kSides> edges{};
+  std::array<HullEdge, 3 * kManySides> edges{};
   for (std::uint8_t i = 0; i < kSides; ++i) {
     const std::uint8_t before = number((i + kSides - 1) % kSides);
     edges[i] = {.from = i, .to = next_side(i), .left = i, .right = kSides};
@@ -58,23 +60,23 @@ constexpr auto kPrismEdges = [] {
                          .to = number(kSides + next_side(i)),
                          .left = kSides + 1,
                          .right = i};
-    edges[2U * kSides + i] = {.from = i, .to = number(kSides + i), .left = before, .right = i};
+    edges[2 * kManySides + i] = {.from = i, .to = number(kSides + i), .left = before, .right = i};
   }
   return edges;
 }();
 // A pyramid: the corners of its base, and its tip. The faces are the sides and the base.
 constexpr auto kPyramidCorners = [] {
-  std::array<std::uint8_t, 4U * kSides> corners{};
+  std::array<std::uint8_t, 4 * kManySides> corners{};
   for (std::uint8_t i = 0; i < kSides; ++i) {
-    corners[3U * i] = i;
-    corners[3U * i + 1] = next_side(i);
-    corners[3U * i + 2] = kSides;
-    corners[3U * kSides + i] = number(kSides - 1 - i);
+    corners[3 * std::size_t{i}] = i;
+    corners[3 * std::size_t{i} + 1] = next_side(i);
+    corners[3 * std::size_t{i} + 2] = kSides;
+    corners[3 * kManySides + i] = number(kSides - 1 - i);
   }
   return corners;
 }();
 constexpr auto kPyramidEdges = [] {
-  std::array<HullEdge, 2U * kSides> edges{};
+  std::array<HullEdge, 2 * kManySides> edges{};
   for (std::uint8_t i = 0; i < kSides; ++i) {
     const std::uint8_t before = number((i + kSides - 1) % kSides);
     edges[i] = {.from = i, .to = next_side(i), .left = i, .right = kSides};
@@ -151,8 +153,8 @@ void PrimitiveHull::make_cylinder(const Primitive& primitive) {
     faces_[i] = {.normal_O = X_WO.direction(round_about(2 * i + 1)), .first = 4U * i, .count = 4};
   }
   const Vec3 axis = X_WO.direction(Vec3::UnitY());
-  faces_[kSides] = {.normal_O = -axis, .first = 4U * kSides, .count = kSides};
-  faces_[kSides + 1] = {.normal_O = axis, .first = 5U * kSides, .count = kSides};
+  faces_[kSides] = {.normal_O = -axis, .first = 4 * kManySides, .count = kSides};
+  faces_[kSides + 1] = {.normal_O = axis, .first = 5 * kManySides, .count = kSides};
   circles_ = {
       .axis_O = axis, .centers_O = {X_WO.point(-up), X_WO.point(up)}, .radii_m = {radius, radius}};
 }
@@ -170,7 +172,7 @@ void PrimitiveHull::make_cone(const Primitive& primitive) {
   }
   const Vec3 axis = X_WO.direction(Vec3::UnitY());
   vertices_O_[kSides] = X_WO.point(height * Vec3::UnitY());
-  faces_[kSides] = {.normal_O = -axis, .first = 3U * kSides, .count = kSides};
+  faces_[kSides] = {.normal_O = -axis, .first = 3 * kManySides, .count = kSides};
   circles_ = {.axis_O = axis,
               .centers_O = {X_WO.translation, vertices_O_[kSides]},
               .radii_m = {radius, 0.0}};

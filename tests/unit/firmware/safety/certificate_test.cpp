@@ -135,7 +135,7 @@ TEST(Certificate, CountsTheNeedleWithTheWholeOfItsShaft) {
   const auto controller = std::make_unique<Controller>();
   ASSERT_TRUE(controller->configure(certified_config()));
   std::array<rendering::Object, 2> layers;
-  for (std::uint8_t i = 0; i < layers.size(); ++i) {
+  for (const std::uint8_t i : std::to_array<std::uint8_t>({0, 1})) {
     layers.at(i) = {
         .surface = rendering::SurfaceKind::primitive,
         .primitive = {.kind = rendering::PrimitiveKind::box, .dimensions_m = {0.1, 0.01, 0.1}},

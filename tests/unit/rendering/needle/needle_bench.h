@@ -76,16 +76,17 @@ class NeedleBench {
   // Moves straight at a speed; the last step ends at the depth.
   const NeedleForce& go_to_depth(double depth_m, double v_m_per_s) {
     const double from_m = has_begun_ ? -p_W_.y() : depth_m;
-    const auto steps = static_cast<int>(std::abs(depth_m - from_m) / (v_m_per_s * tick_s_) + 0.5);
-    for (int i = 1; i <= steps; ++i) {
-      to_depth(from_m + (depth_m - from_m) * i / steps);
+    const long steps = std::lround(std::abs(depth_m - from_m) / (v_m_per_s * tick_s_));
+    for (long i = 1; i <= steps; ++i) {
+      to_depth(from_m + (depth_m - from_m) * static_cast<double>(i) / static_cast<double>(steps));
     }
     return force_;
   }
   // Takes a place as that of the last tick; the next step begins there.
   void stand_at(const Vec3& p_W) { p_W_ = p_W; }
   void hold(double time_s) {
-    for (int i = 0; i < static_cast<int>(time_s / tick_s_ + 0.5); ++i) {
+    const long ticks = std::lround(time_s / tick_s_);
+    for (long i = 0; i < ticks; ++i) {
       to(p_W_);
     }
   }
