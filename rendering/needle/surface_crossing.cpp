@@ -85,17 +85,22 @@ double halved(const Primitive& primitive, const Vec3& from, const Vec3& way, dou
 }
 
 // Returns the share of the way at which a motion from outside reaches the surface; 1 if it does
-// not. It steps by the distance, which never passes the surface, or as far as the last two
-// distances fall to 0 on a line, which does not pass that of a convex solid.
+// not. It steps by the distance, which never passes the surface, or on a convex solid as far as the
+// last two distances fall to 0 on a line. About a torus, which a way may graze and then enter, a
+// step is no shorter than a micrometre: a way that is within the tube for less may be missed.
 double first_hit(const Primitive& primitive, const Vec3& from, const Vec3& to) {
   constexpr int kMostSteps = 40;
+  constexpr int kMostStepsAboutTorus = 1000;
   constexpr double kClose_m = 1e-9;
+  constexpr double kLeastStep_m = 1e-6;
+  const bool is_convex = primitive.kind != PrimitiveKind::torus;
   const Vec3 way = to - from;
   const double length = way.norm();
   double before = 0.0;
   double before_m = sample(primitive, from).distance_m;
   double share = before_m / length;
-  for (int i = 0; i < kMostSteps && before_m > kClose_m; ++i) {
+  const int most_steps = is_convex ? kMostSteps : kMostStepsAboutTorus;
+  for (int i = 0; i < most_steps && (before_m > kClose_m || !is_convex); ++i) {
     share = std::min(share, 1.0);
     const double distance_m = sample(primitive, from + share * way).distance_m;
     if (distance_m < 0.0) {
@@ -104,15 +109,15 @@ double first_hit(const Primitive& primitive, const Vec3& from, const Vec3& to) {
     if (share >= 1.0) {
       return 1.0;
     }
-    double step = distance_m / length;
-    if (distance_m < before_m) {
+    double step = (is_convex ? distance_m : std::max(distance_m, kLeastStep_m)) / length;
+    if (is_convex && distance_m < before_m) {
       step = std::max(step, distance_m * (share - before) / (before_m - distance_m));
     }
     before = share;
     before_m = distance_m;
     share += step;
   }
-  return before_m > kClose_m ? 1.0 : before;
+  return is_convex && before_m <= kClose_m ? before : 1.0;
 }
 
 }  // namespace

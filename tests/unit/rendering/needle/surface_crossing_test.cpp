@@ -93,7 +93,7 @@ TEST(SurfaceCrossing, OfAPrimitiveIsWhereItsInsideBegins) {
       for (int k = 0; k <= kPointsOfWay && !testing::inside(primitive, from); ++k) {
         const double share = k / static_cast<double>(kPointsOfWay);
         if (testing::inside(primitive, from + share * (to - from))) {
-          ASSERT_TRUE(crossing.enters);
+          ASSERT_TRUE(crossing.enters) << i << " kind " << static_cast<int>(kind);
           ASSERT_NEAR(crossing.entry, share, 1.0 / kPointsOfWay + 1e-6);
           break;
         }
