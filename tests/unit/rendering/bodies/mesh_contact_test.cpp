@@ -252,7 +252,8 @@ TEST(MeshContact, BodiesOnARoughMeshGainNoEnergyAndStayOutside) {
   for (int seed = 0; seed < part_of(12); ++seed) {
     BodyBench bench;
     bench.add_mesh(testing::height_field(0.3, 60, 0.004), 0.3, Sides::two);
-    const Vec3 start(0.01 * (seed % 4) - 0.015, 0.035, 0.007 * (seed / 4) - 0.01);
+    const int row = seed / 4;
+    const Vec3 start(0.01 * (seed % 4) - 0.015, 0.035, 0.007 * row - 0.01);
     const Mat3 turned = body_turned(Vec3(1.0, 0.3 * seed, 0.7), 0.5 * seed);
     if (seed % 3 == 0) {
       bench.add_ball(0.008, 0.05, start, {.friction = 0.3}, Vec3(0.1, 0.0, 0.05));
