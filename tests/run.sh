@@ -80,9 +80,16 @@ mkdir -p "$logs"
 summary=()
 passed=0 failed=0 skipped=0
 
+# Sets cpu_s to the processor time that the stages so far have taken, s. A subshell would count its own.
+count_cpu() {
+  times >"$logs/times"
+  cpu_s="$(awk 'NR == 2 { gsub(/s/, ""); for (i = 1; i <= 2; ++i) { split($i, time, "m"); sum += 60 * time[1] + time[2] } print int(sum) }' "$logs/times")"
+}
+
 # A script that runs many tests writes "passed failed skipped" to $TACTUS_COUNTS; any other counts as one test.
 run_stage() {
-  local name="$1" script="$2" log="$logs/$1.log" start=$SECONDS result=pass p=1 f=0 s=0
+  local name="$1" script="$2" log="$logs/$1.log" start=$SECONDS result=pass p=1 f=0 s=0 cpu_before_s
+  count_cpu && cpu_before_s=$cpu_s
   shift 2
   export TACTUS_COUNTS="$logs/$name.counts"
   rm -f "$TACTUS_COUNTS"
@@ -101,7 +108,9 @@ run_stage() {
   fi
   grep '^SKIPPED' "$log" || true
   passed=$((passed + p)) failed=$((failed + f)) skipped=$((skipped + s))
-  summary+=("$(printf '%-14s %-4s %5d passed %3d failed %3d skipped %5d s' "$name" "$result" "$p" "$f" "$s" $((SECONDS - start)))")
+  count_cpu
+  summary+=("$(printf '%-14s %-4s %5d passed %3d failed %3d skipped %5d s, %5d s of CPU' "$name" "$result" "$p" "$f" "$s" \
+    $((SECONDS - start)) $((cpu_s - cpu_before_s)))")
   echo "${summary[-1]}"
 }
 

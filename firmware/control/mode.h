@@ -64,6 +64,19 @@ constexpr bool has_positions(Mode mode) {
   return mode == Mode::ready || mode == Mode::active || mode == Mode::fault;
 }
 
+// Returns the request that brings a controller one mode closer to `active`; none from `homing`,
+// `active` and `fault`.
+constexpr Request request_toward_active(Mode mode) {
+  switch (mode) {
+    case Mode::init:
+      return Request::home;
+    case Mode::ready:
+      return Request::enable;
+    default:
+      return Request::none;
+  }
+}
+
 // Returns the name of a mode for messages, "ready".
 constexpr std::string_view mode_name(Mode mode) {
   return kModeNames[static_cast<std::size_t>(mode)];

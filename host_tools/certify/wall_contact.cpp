@@ -112,18 +112,6 @@ void prepare(firmware::Controller& controller, const WallContact& contact,
   }
 }
 
-// Returns the request that brings the controller one mode closer to `active`.
-firmware::Request wish_for_force(firmware::Mode mode) {
-  switch (mode) {
-    case firmware::Mode::init:
-      return firmware::Request::home;
-    case firmware::Mode::ready:
-      return firmware::Request::enable;
-    default:
-      return firmware::Request::none;
-  }
-}
-
 // The handle on the wall, tick by tick.
 class Contact {
  public:
@@ -162,7 +150,7 @@ class Contact {
 
  private:
   void tick(const HandParameters& hand, const Vec3& wish_B, const Vec3& next_wish_B) {
-    firmware::run_tick(controller_, device_, wish_for_force(controller_.mode()));
+    firmware::run_tick(controller_, device_, firmware::request_toward_active(controller_.mode()));
     device_.advance(hand, wish_B, next_wish_B);
   }
   [[nodiscard]] double depth_m() const {

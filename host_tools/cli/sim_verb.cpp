@@ -4,7 +4,6 @@
 #include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
-#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
@@ -95,7 +94,7 @@ void run_sim(const SimOptions& options) {
     serve_simulation(options.scene, options.run, serving);
     return;
   }
-  check_files(options, std::max(options.run.devices.size(), options.run.paths.size()));
+  check_files(options, device_count(options.run));
   const MappedScene scene(options.scene);
   const auto objects = scene.image().objects();
   const double tool_radius_m = scene.image().tool_radius_m();

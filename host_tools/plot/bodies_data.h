@@ -1,4 +1,4 @@
-// Where the bodies of a run were, whether `tactus sim` or `tactus touch` wrote the file.
+// Reads the places of the bodies of a run, whether `tactus sim` or `tactus touch` wrote the file.
 #pragma once
 
 #include <cstddef>
@@ -9,7 +9,7 @@
 
 namespace tactus::host {
 
-// Where a body is: the centre of mass, m, and the rotation of its axes; world frame.
+// The place of a body: its centre of mass, m, and the rotation of its axes; world frame.
 struct BodyPlace {
   Vec3 center_W = Vec3::Zero();
   Mat3 axes_W = Mat3::Identity();

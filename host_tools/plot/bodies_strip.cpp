@@ -40,14 +40,17 @@ Vec3 moved(const rendering::Float3& vertex, const BodyPlace& first, const BodyPl
   return now.center_W + now.axes_W * in_body;
 }
 
-// The objects of a frame, with the memory of the bodies' moved meshes.
-struct PosedObjects {
+// A frame with its objects, and the memory of the bodies' moved meshes.
+struct PosedFrame {
+  // Points into the strip.
+  const BodiesFrame* frame = nullptr;
   std::vector<std::vector<rendering::Float3>> vertices;
   std::vector<rendering::Object> objects;
 };
 
-PosedObjects posed(const BodiesStrip& strip, const BodiesFrame& frame) {
-  PosedObjects result{.vertices = {}, .objects = {strip.objects.begin(), strip.objects.end()}};
+PosedFrame posed(const BodiesStrip& strip, const BodiesFrame& frame) {
+  PosedFrame result{
+      .frame = &frame, .vertices = {}, .objects = {strip.objects.begin(), strip.objects.end()}};
   std::size_t body = 0;
   for (rendering::Object& object : result.objects) {
     if (!is_body(object)) {
@@ -58,9 +61,7 @@ PosedObjects posed(const BodiesStrip& strip, const BodiesFrame& frame) {
     std::vector<rendering::Float3>& own = result.vertices.emplace_back();
     own.reserve(object.mesh.vertices.size());
     for (const rendering::Float3& vertex : object.mesh.vertices) {
-      const Vec3 p_W = moved(vertex, first, now);
-      own.push_back(
-          {static_cast<float>(p_W.x()), static_cast<float>(p_W.y()), static_cast<float>(p_W.z())});
+      own.push_back(rendering::to_float3(moved(vertex, first, now)));
     }
     object.mesh.vertices = own;
   }
@@ -74,15 +75,14 @@ const RunRow& row_at(const RunData& run, double t_s) {
 }
 
 // Adds the bodies and tools of a frame to a window, m.
-void include(const BodiesStrip& strip, const BodiesFrame& frame, View view, Window& window) {
-  const PosedObjects now = posed(strip, frame);
+void include(const BodiesStrip& strip, const PosedFrame& now, View view, Window& window) {
   for (const std::vector<rendering::Float3>& body : now.vertices) {
     for (const rendering::Float3& vertex : body) {
       window.include(project(view, rendering::to_vec3(vertex)));
     }
   }
   for (const RunData& run : strip.tools) {
-    const RunRow& row = row_at(run, frame.t_s);
+    const RunRow& row = row_at(run, now.frame->t_s);
     if (row.located) {
       const PlanePoint at = project(view, row.proxy_W);
       window.include({.right = at.right - strip.tool_radius_m, .up = at.up - strip.tool_radius_m});
@@ -92,22 +92,23 @@ void include(const BodiesStrip& strip, const BodiesFrame& frame, View view, Wind
 }
 
 // Returns the frames that are drawn.
-std::vector<const BodiesFrame*> chosen(const BodiesStrip& strip) {
-  std::vector<const BodiesFrame*> frames;
+std::vector<PosedFrame> chosen(const BodiesStrip& strip) {
+  std::vector<PosedFrame> frames;
   frames.reserve(strip.columns);
   for (std::size_t i = 0; i < strip.columns; ++i) {
-    frames.push_back(&strip.frames[i * (strip.frames.size() - 1) / (strip.columns - 1)]);
+    frames.push_back(
+        posed(strip, strip.frames[i * (strip.frames.size() - 1) / (strip.columns - 1)]));
   }
   return frames;
 }
 
 // Returns an extent that holds everything that moves in the chosen frames, with a margin.
-BodiesExtent extent_of(const BodiesStrip& strip, std::span<const BodiesFrame* const> frames) {
+BodiesExtent extent_of(const BodiesStrip& strip, std::span<const PosedFrame> frames) {
   Window front;
   Window side;
-  for (const BodiesFrame* const frame : frames) {
-    include(strip, *frame, View::front, front);
-    include(strip, *frame, View::side, side);
+  for (const PosedFrame& frame : frames) {
+    include(strip, frame, View::front, front);
+    include(strip, frame, View::side, side);
   }
   constexpr double kMargin = 1.2;
   const double up =
@@ -158,8 +159,7 @@ set format x {xformat}
 set format y {yformat}
 {time}
 {tools}
-plot {image} binary array=({columns},{rows}) format='%uchar%uchar%uchar' \
-       origin=({ox:.8g},{oy:.8g}) dx={dx:.8g} dy={dy:.8g} with rgbimage
+plot {image}
 unset label
 unset object
 unset arrow
@@ -205,9 +205,9 @@ std::string tools_script(const BodiesStrip& strip, const BodiesFrame& frame,
 }
 
 // Returns the commands of a panel, whose picture of the objects it writes into the folder.
-std::string strip_panel(const BodiesStrip& strip, const BodiesFrame& frame,
-                        const BodiesExtent& extent, const BodiesPanel& panel,
-                        const GnuplotFolder& folder) {
+std::string strip_panel(const BodiesStrip& strip, const PosedFrame& now, const BodiesExtent& extent,
+                        const BodiesPanel& panel, const GnuplotFolder& folder) {
+  const BodiesFrame& frame = *now.frame;
   const bool is_front = panel.view == View::front;
   const PlanePoint& middle = is_front ? extent.front : extent.side;
   const Window mm{
@@ -221,10 +221,7 @@ std::string strip_panel(const BodiesStrip& strip, const BodiesFrame& frame,
   const int rows = static_cast<int>(std::lround(panel.height));
   const std::filesystem::path image =
       folder.path() / fmt::format("{}{}.rgb", is_front ? "front" : "side", panel.column);
-  const PosedObjects now = posed(strip, frame);
   write_raw_rgb(image, draw_silhouette(panel.view, window_m, columns, rows, now.objects));
-  const double dx = mm.width() / columns;
-  const double dy = mm.height() / rows;
   const bool is_first = panel.column == 0;
   const std::string time =
       is_front
@@ -232,30 +229,28 @@ std::string strip_panel(const BodiesStrip& strip, const BodiesFrame& frame,
                         frame.t_s, (panel.left + 0.5 * panel.width) / kBodiesWidth,
                         (panel.bottom + panel.height + 18.0) / panel.sheet_height)
           : "";
-  return fmt::format(
-      kBodiesPanel, fmt::arg("left", panel.left / kBodiesWidth),
-      fmt::arg("right", (panel.left + panel.width) / kBodiesWidth),
-      fmt::arg("bottom", panel.bottom / panel.sheet_height),
-      fmt::arg("top", (panel.bottom + panel.height) / panel.sheet_height),
-      fmt::arg("x0", mm.lower.right), fmt::arg("x1", mm.upper.right), fmt::arg("y0", mm.lower.up),
-      fmt::arg("y1", mm.upper.up), fmt::arg("step", round_step(extent.width / 5.0)),
-      fmt::arg("xlabel", !is_first  ? "''"
-                         : is_front ? "'x (mm)'"
-                                    : "'z (mm), from the left'"),
-      fmt::arg("ylabel", is_first ? "'y (mm)'" : "''"),
-      fmt::arg("xformat", is_first ? "'%g'" : "''"), fmt::arg("yformat", is_first ? "'%g'" : "''"),
-      fmt::arg("time", time),
-      fmt::arg("tools", axes_script(frame, panel.view, kBodiesAxis * extent.width) +
-                            tools_script(strip, frame, panel)),
-      fmt::arg("image", gnuplot_string(image.string())), fmt::arg("columns", columns),
-      fmt::arg("rows", rows), fmt::arg("ox", mm.lower.right + 0.5 * dx),
-      fmt::arg("oy", mm.lower.up + 0.5 * dy), fmt::arg("dx", dx), fmt::arg("dy", dy));
+  return fmt::format(kBodiesPanel, fmt::arg("left", panel.left / kBodiesWidth),
+                     fmt::arg("right", (panel.left + panel.width) / kBodiesWidth),
+                     fmt::arg("bottom", panel.bottom / panel.sheet_height),
+                     fmt::arg("top", (panel.bottom + panel.height) / panel.sheet_height),
+                     fmt::arg("x0", mm.lower.right), fmt::arg("x1", mm.upper.right),
+                     fmt::arg("y0", mm.lower.up), fmt::arg("y1", mm.upper.up),
+                     fmt::arg("step", round_step(extent.width / 5.0)),
+                     fmt::arg("xlabel", !is_first  ? "''"
+                                        : is_front ? "'x (mm)'"
+                                                   : "'z (mm), from the left'"),
+                     fmt::arg("ylabel", is_first ? "'y (mm)'" : "''"),
+                     fmt::arg("xformat", is_first ? "'%g'" : "''"),
+                     fmt::arg("yformat", is_first ? "'%g'" : "''"), fmt::arg("time", time),
+                     fmt::arg("tools", axes_script(frame, panel.view, kBodiesAxis * extent.width) +
+                                           tools_script(strip, frame, panel)),
+                     fmt::arg("image", rgb_item(image, columns, rows, mm)));
 }
 
 }  // namespace
 
 void draw_bodies_strip(const BodiesStrip& strip, const std::filesystem::path& picture) {
-  const std::vector<const BodiesFrame*> frames = chosen(strip);
+  const std::vector<PosedFrame> frames = chosen(strip);
   const BodiesExtent extent = extent_of(strip, frames);
   const auto count = static_cast<double>(strip.columns);
   BodiesPanel panel;
@@ -263,9 +258,9 @@ void draw_bodies_strip(const BodiesStrip& strip, const std::filesystem::path& pi
   panel.height = panel.width * extent.height / extent.width;
   panel.sheet_height = std::ceil(kBodiesTop + 2.0 * (panel.height + kBodiesBottom));
   double most_N = 0.0;
-  for (const BodiesFrame* const frame : frames) {
+  for (const PosedFrame& now : frames) {
     for (const RunData& run : strip.tools) {
-      most_N = std::max(most_N, row_at(run, frame->t_s).force_N);
+      most_N = std::max(most_N, row_at(run, now.frame->t_s).force_N);
     }
   }
   panel.mm_per_N = most_N > 0.0 ? kBodiesArrow * extent.width / most_N : 0.0;
@@ -279,7 +274,7 @@ void draw_bodies_strip(const BodiesStrip& strip, const std::filesystem::path& pi
     panel.bottom = kBodiesBottom + (view == View::front ? panel.height + kBodiesBottom : 0.0);
     for (panel.column = 0; panel.column < strip.columns; ++panel.column) {
       panel.left = kBodiesLeft + static_cast<double>(panel.column) * (panel.width + kBodiesGap);
-      script += strip_panel(strip, *frames[panel.column], extent, panel, folder);
+      script += strip_panel(strip, frames[panel.column], extent, panel, folder);
     }
   }
   run_gnuplot(folder, {.width_px = kBodiesWidth, .height_px = panel.sheet_height}, script, picture);

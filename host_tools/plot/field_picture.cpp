@@ -119,14 +119,13 @@ FieldPicture draw_field(const rendering::ImplicitSurface& surface, const TickVie
   }
   const std::filesystem::path file = folder.path() / fmt::format("field_{}.rgb", name);
   write_raw_rgb(file, bytes);
+  const auto side = static_cast<int>(pixels);
   FieldPicture picture;
   picture.head = contour_block("zero_" + name, field, 0.0) + palette(steps, name);
   picture.items = fmt::format(
-      "{} binary array=({},{}) format='%uchar%uchar%uchar' origin=({:.8g},{:.8g}) dx={:.8g} "
-      "dy={:.8g} with rgbimage, $off_{} using 1:2:3 with points palette, $zero_{} using 1:2 with "
-      "lines linecolor \"#111111\" linewidth 3, ",
-      gnuplot_string(file.string()), pixels, pixels, window.lower.right + 0.5 * pixel_mm,
-      window.lower.up + 0.5 * pixel_mm, pixel_mm, pixel_mm, name, name);
+      "{}, $off_{} using 1:2:3 with points palette, $zero_{} using 1:2 with lines linecolor "
+      "\"#111111\" linewidth 3, ",
+      rgb_item(file, side, side, window), name, name);
   if (has_band) {
     picture.head += contour_block("tolerance_" + name, height, tolerance_m);
     picture.items += fmt::format(

@@ -78,6 +78,17 @@ void write_raw_rgb(const std::filesystem::path& file, const GreyImage& image) {
   write_file(file, bytes);
 }
 
+std::string rgb_item(const std::filesystem::path& file, int columns, int rows,
+                     const Window& window) {
+  const double dx = window.width() / columns;
+  const double dy = window.height() / rows;
+  return fmt::format(
+      "{} binary array=({},{}) format='%uchar%uchar%uchar' origin=({:.8g},{:.8g}) dx={:.8g} "
+      "dy={:.8g} with rgbimage",
+      gnuplot_string(file.string()), columns, rows, window.lower.right + 0.5 * dx,
+      window.lower.up + 0.5 * dy, dx, dy);
+}
+
 void write_raw_rgb(const std::filesystem::path& file, std::string_view bytes) {
   write_file(file, bytes);
 }

@@ -44,6 +44,11 @@ void write_raw_rgb(const std::filesystem::path& file, const GreyImage& image);
 // Writes such bytes, three for each pixel.
 void write_raw_rgb(const std::filesystem::path& file, std::string_view bytes);
 
+// Returns the item of a plot command that draws such bytes, so many pixels, over a window in the
+// unit of the axes.
+std::string rgb_item(const std::filesystem::path& file, int columns, int rows,
+                     const Window& window);
+
 // A picture's size; of an SVG or PDF file in points, in which it has the same layout.
 struct PictureSize {
   double width_px = 0.0;

@@ -70,8 +70,7 @@ set xrange [{x0:.7g}:{x1:.7g}]
 set yrange [{y0:.7g}:{y1:.7g}]
 set xlabel {xlabel} textcolor "#333333"
 set ylabel 'y (mm)' textcolor "#333333"
-plot {image} binary array=({pixels},{pixels}) format='%uchar%uchar%uchar' \
-       origin=({ox:.8g},{oy:.8g}) dx={dx:.8g} dy={dy:.8g} with rgbimage, \
+plot {image}, \
      $rims{suffix} using 1:2 with lines linecolor "#dd3f4e" linewidth 3, \
      $rings{suffix} using 1:2:3 with circles linecolor "#dd3f4e" linewidth 1.2 fillstyle empty, \
      $rings{suffix} using ($1+$3):2:4 with labels left offset 0.6,0 textcolor "#dd3f4e"
@@ -84,21 +83,20 @@ std::string holes_panel(std::span<const rendering::Object> objects, std::span<co
   const std::filesystem::path image = folder.path() / fmt::format("holes{}.rgb", suffix);
   write_raw_rgb(image,
                 draw_silhouette(panel.view, panel.window, kHolesPixels, kHolesPixels, objects));
-  const double step = 1e3 * panel.window.width() / kHolesPixels;
+  const Window& m = panel.window;
+  const Window mm{.lower = {.right = 1e3 * m.lower.right, .up = 1e3 * m.lower.up},
+                  .upper = {.right = 1e3 * m.upper.right, .up = 1e3 * m.upper.up},
+                  .empty = false};
   const double left = panel.is_right ? 0.56 : 0.06;
   return hole_blocks(holes, panel, suffix) +
          fmt::format(
              kHolesPanel, fmt::arg("left", left), fmt::arg("right", left + 0.415),
-             fmt::arg("x0", 1e3 * panel.window.lower.right),
-             fmt::arg("x1", 1e3 * panel.window.upper.right),
-             fmt::arg("y0", 1e3 * panel.window.lower.up),
-             fmt::arg("y1", 1e3 * panel.window.upper.up),
+             fmt::arg("x0", mm.lower.right), fmt::arg("x1", mm.upper.right),
+             fmt::arg("y0", mm.lower.up), fmt::arg("y1", mm.upper.up),
              fmt::arg("xlabel", panel.is_right ? "'z (mm), seen from the left; toward the user →'"
                                                : "'x (mm), seen from the user'"),
-             fmt::arg("image", gnuplot_string(image.string())), fmt::arg("pixels", kHolesPixels),
-             fmt::arg("ox", 1e3 * panel.window.lower.right + 0.5 * step),
-             fmt::arg("oy", 1e3 * panel.window.lower.up + 0.5 * step), fmt::arg("dx", step),
-             fmt::arg("dy", step), fmt::arg("suffix", suffix));
+             fmt::arg("image", rgb_item(image, kHolesPixels, kHolesPixels, mm)),
+             fmt::arg("suffix", suffix));
 }
 
 }  // namespace

@@ -160,8 +160,7 @@ set yrange [{y0:.6g}:{y1:.6g}]
 set xlabel {xlabel} textcolor "#333333"
 set ylabel {ylabel} textcolor "#333333" offset 0.5
 {colour_box}
-plot {image} binary array=({columns},{rows}) format='%uchar%uchar%uchar' \
-       origin=({ox:.8g},{oy:.8g}) dx={dx:.8g} dy={dy:.8g} with rgbimage, \
+plot {image}, \
      $free{suffix} using 1:2 with lines linecolor "#4a4a4a" linewidth 1.2 dashtype (12,8), \
      $touching{suffix} using 1:2 with lines linecolor "#ffffff" linewidth 5.5, \
      $touching{suffix} using 1:2:3 with lines linecolor palette linewidth 3.2, \
@@ -185,8 +184,6 @@ std::string panel_script(const Sheet& sheet, const Panel& panel,
   }
   const std::filesystem::path image = folder.path() / (last ? "side.rgb" : "front.rgb");
   write_raw_rgb(image, draw_silhouette(panel.view, window_m, columns, rows, objects));
-  const double dx = window.width() / columns;
-  const double dy = window.height() / rows;
   const std::string colour_box =
       last ? fmt::format(
                  "set colorbox user origin {:.5f},{:.5f} size {:.5f},{:.5f} noborder\n"
@@ -204,9 +201,7 @@ std::string panel_script(const Sheet& sheet, const Panel& panel,
       fmt::arg("xlabel", last ? "'z (mm), seen from the left; toward the user →'"
                               : "'x (mm), seen from the user'"),
       fmt::arg("ylabel", last ? "''" : "'y (mm)'"), fmt::arg("colour_box", colour_box),
-      fmt::arg("image", gnuplot_string(image.string())), fmt::arg("columns", columns),
-      fmt::arg("rows", rows), fmt::arg("ox", window.lower.right + 0.5 * dx),
-      fmt::arg("oy", window.lower.up + 0.5 * dy), fmt::arg("dx", dx), fmt::arg("dy", dy),
+      fmt::arg("image", rgb_item(image, columns, rows, window)),
       fmt::arg("suffix", last ? "_side" : "_front"));
 }
 

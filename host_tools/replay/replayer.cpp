@@ -102,10 +102,7 @@ std::optional<Difference> first_difference(const firmware::TelemetryRecord& reco
   return comparison.first ? comparison.first : comparison.hash;
 }
 
-Replayer::Replayer(std::span<const ReplaySetup> devices)
-    : more_devices_(devices.size() - 1),
-      more_tools_(devices.size() - 1),
-      controller_(std::make_unique<firmware::Controller>(more_devices_, more_tools_)) {
+Replayer::Replayer(std::span<const ReplaySetup> devices) : controller_(devices.size()) {
   for (std::size_t i = 0; i < devices.size(); ++i) {
     firmware::ControllerConfig config = devices[i].config;
     // The run was allowed to load its scene; the replay must be too.

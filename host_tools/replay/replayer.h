@@ -4,14 +4,13 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <memory>
 #include <optional>
 #include <span>
 #include <string>
-#include <vector>
 
 #include "firmware/control/controller.h"
 #include "firmware/telemetry/record.h"
+#include "host_tools/heap_controller.h"
 #include "rendering/scene/scene_image.h"
 
 namespace tactus::host {
@@ -80,10 +79,7 @@ class Replayer {
   [[nodiscard]] firmware::Controller& controller() { return *controller_; }
 
  private:
-  // The controller's storage for the devices beyond the first one.
-  std::vector<firmware::DeviceController> more_devices_;
-  std::vector<rendering::ToolSlot> more_tools_;
-  std::unique_ptr<firmware::Controller> controller_;
+  HeapController controller_;
 };
 
 }  // namespace tactus::host

@@ -49,14 +49,7 @@ firmware::Request HeldDevice::request(firmware::Mode mode) const {
       return event.request;
     }
   }
-  switch (mode) {
-    case firmware::Mode::init:
-      return firmware::Request::home;
-    case firmware::Mode::ready:
-      return firmware::Request::enable;
-    default:
-      return firmware::Request::none;
-  }
+  return firmware::request_toward_active(mode);
 }
 
 void HeldDevice::advance() {

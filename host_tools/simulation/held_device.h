@@ -21,7 +21,7 @@ struct FaultEvent {
   // When it begins, s from the start of the run.
   double at_s = 0.0;
   DeviceFault fault = DeviceFault::stale_sample;
-  // How many ticks it lasts.
+  // The number of ticks that it lasts.
   std::uint32_t ticks = 1;
 };
 

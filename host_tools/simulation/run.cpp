@@ -95,28 +95,6 @@ const std::string& of_device(const std::vector<std::string>& list, std::size_t n
   return list.size() == 1 ? list.front() : list[number];
 }
 
-// Returns the number of devices. Throws InputError if devices, hands and paths do not go together.
-std::size_t device_count(const RunOptions& options) {
-  const std::size_t count = std::max(options.devices.size(), options.paths.size());
-  const auto goes = [&](const std::vector<std::string>& list) {
-    return list.size() == 1 || list.size() == count;
-  };
-  if (count > rendering::kMaxTools) {
-    throw InputError(fmt::format("{} devices; there may be 1 to {}", count, rendering::kMaxTools));
-  }
-  if (!goes(options.devices) || !goes(options.hands)) {
-    throw InputError(
-        fmt::format("{} --device and {} --hand for {} --path: give one for each path, or one for "
-                    "all",
-                    options.devices.size(), options.hands.size(), options.paths.size()));
-  }
-  if (count > 1 && options.paths.size() != count) {
-    throw InputError(fmt::format("{} devices and {} --path: several devices need a path each",
-                                 count, options.paths.size()));
-  }
-  return count;
-}
-
 // Returns the configuration of a device.
 SimulationConfig plan_device(const RunOptions& options, std::size_t number,
                              std::span<const rendering::Object> objects, double tool_radius_m) {
@@ -147,6 +125,27 @@ SimulationConfig plan_device(const RunOptions& options, std::size_t number,
 }
 
 }  // namespace
+
+std::size_t device_count(const RunOptions& options) {
+  const std::size_t count = std::max(options.devices.size(), options.paths.size());
+  const auto goes = [&](const std::vector<std::string>& list) {
+    return list.size() == 1 || list.size() == count;
+  };
+  if (count > rendering::kMaxTools) {
+    throw InputError(fmt::format("{} devices; there may be 1 to {}", count, rendering::kMaxTools));
+  }
+  if (!goes(options.devices) || !goes(options.hands)) {
+    throw InputError(
+        fmt::format("{} --device and {} --hand for {} --path: give one for each path, or one for "
+                    "all",
+                    options.devices.size(), options.hands.size(), options.paths.size()));
+  }
+  if (count > 1 && options.paths.size() != count) {
+    throw InputError(fmt::format("{} devices and {} --path: several devices need a path each",
+                                 count, options.paths.size()));
+  }
+  return count;
+}
 
 DeviceFaultEvent parse_fault(std::string_view text) {
   const std::size_t colon = text.find(':');

@@ -37,6 +37,9 @@ struct RunOptions {
   std::vector<std::string> faults;
 };
 
+// Returns the number of devices. Throws InputError if devices, hands and paths do not go together.
+std::size_t device_count(const RunOptions& options);
+
 // A run that is ready to start.
 struct RunPlan {
   // The configuration of each device of the Simulation.

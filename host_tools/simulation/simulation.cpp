@@ -10,19 +10,13 @@
 namespace tactus::host {
 
 Simulation::Simulation(std::span<const SimulationConfig> devices,
-                       std::span<const rendering::Object> objects, double tool_radius_m) {
-  if (devices.empty() || devices.size() > rendering::kMaxTools) {
-    throw InputError(
-        fmt::format("{} devices; there may be 1 to {}", devices.size(), rendering::kMaxTools));
-  }
+                       std::span<const rendering::Object> objects, double tool_radius_m)
+    : controller_(checked(devices).size()) {
   held_.reserve(devices.size());
   for (const SimulationConfig& config : devices) {
     held_.emplace_back(config);
     wishes_W_.push_back(held_.back().wish_W());
   }
-  more_devices_.resize(devices.size() - 1);
-  more_tools_.resize(devices.size() - 1);
-  controller_ = std::make_unique<firmware::Controller>(more_devices_, more_tools_);
   for (std::size_t i = 0; i < devices.size(); ++i) {
     configure(*controller_, held_[i].controller_config(devices[i]), i);
   }
@@ -32,6 +26,14 @@ Simulation::Simulation(std::span<const SimulationConfig> devices,
     throw InputError(
         "the controller refused the scene: too many objects, or one without triangles");
   }
+}
+
+std::span<const SimulationConfig> Simulation::checked(std::span<const SimulationConfig> devices) {
+  if (devices.empty() || devices.size() > rendering::kMaxTools) {
+    throw InputError(
+        fmt::format("{} devices; there may be 1 to {}", devices.size(), rendering::kMaxTools));
+  }
+  return devices;
 }
 
 void Simulation::tick() {

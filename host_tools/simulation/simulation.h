@@ -7,12 +7,12 @@
 #pragma once
 
 #include <cstddef>
-#include <memory>
 #include <span>
 #include <vector>
 
 #include "firmware/control/controller.h"
 #include "firmware/control/run_tick.h"
+#include "host_tools/heap_controller.h"
 #include "host_tools/simulation/held_device.h"
 #include "rendering/objects/object.h"
 #include "rendering/world/world.h"
@@ -71,12 +71,11 @@ class Simulation {
  private:
   void advance();
 
+  // Returns the configurations, or throws InputError if there are none or more than kMaxTools.
+  static std::span<const SimulationConfig> checked(std::span<const SimulationConfig> devices);
+
   std::vector<HeldDevice> held_;
-  // The controller's storage for the devices beyond the first one.
-  std::vector<firmware::DeviceController> more_devices_;
-  std::vector<rendering::ToolSlot> more_tools_;
-  // On the heap, since it has more than two megabytes.
-  std::unique_ptr<firmware::Controller> controller_;
+  HeapController controller_;
   std::vector<Vec3> wishes_W_;
 };
 

@@ -27,7 +27,7 @@ struct PushDirection {
   // to the speed with which the surfaces part.
   Vec6 on_a = Vec6::Zero();
   Vec6 on_b = Vec6::Zero();
-  // What they change in the velocities of A and B.
+  // The changes of the velocities of A and B by these impulses.
   Vec6 answer_a = Vec6::Zero();
   Vec6 answer_b = Vec6::Zero();
   // The mass that it pushes, kg.
@@ -66,12 +66,14 @@ struct BodyContact {
   std::size_t count = 0;
 };
 
-// What a contact leaves to the next tick.
+// A point of a contact, as the next tick needs it: the arm from the centre of B, m, and the
+// impulses along the normal and the two tangents, N s.
 struct PastPoint {
   Vec3 arm_b_W = Vec3::Zero();
   double push = 0.0;
   Eigen::Vector2d rub = Eigen::Vector2d::Zero();
 };
+// A contact, as the next tick needs it.
 struct PastContact {
   std::uint16_t a = 0;
   std::uint16_t b = 0;
@@ -80,7 +82,7 @@ struct PastContact {
   std::size_t count = 0;
 };
 
-// Returns what a contact leaves.
+// Returns a contact's past for the next tick.
 PastContact past_of(const BodyContact& contact);
 
 // The resistance of a contact to overlap in a sub-step: a damped spring that is integrated

@@ -1,4 +1,4 @@
-// Where the work of the hand on a needle goes.
+// The account of the work of the hand on a needle.
 #pragma once
 
 namespace tactus::rendering {

@@ -12,7 +12,7 @@
 
 namespace tactus::rendering {
 
-// How the needle is to a layer.
+// The relation of the needle to a layer.
 enum class LayerPhase : std::uint8_t {
   away = 0,     // it does not touch the layer
   pressed = 1,  // it presses the surface in
@@ -28,10 +28,11 @@ struct NeedlePose {
 
 // The channel that a needle leaves in a layer: one, the last.
 struct NeedleChannel {
-  // Where the needle came in, at the surface that nothing presses, m; and in which direction.
+  // The place at which the needle came in, m, on the surface that nothing presses, and the unit
+  // direction of the channel inward.
   Vec3 entry_O = Vec3::Zero();
   Vec3 direction_O = Vec3::Zero();
-  // How deep it is cut, m along the direction.
+  // The depth to which it is cut, m along the direction.
   double front_m = 0.0;
   bool exists = false;
 };
@@ -46,7 +47,7 @@ struct NeedleLayer {
   // True if the tip has left the layer on its far side, at the depth `exit_m`.
   bool is_left = false;
   double exit_m = 0.0;
-  // How deep the tip is, m.
+  // The depth of the tip, m.
   double depth_m = 0.0;
   // The length of the shaft in the layer, m; of one that is pressed in, its depth.
   double length_m = 0.0;

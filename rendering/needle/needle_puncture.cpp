@@ -53,7 +53,7 @@ bool NeedleTouch::meet_next(const SceneObjects& scene, const Vec3& tip_W, Recoil
   return true;
 }
 
-// What a surface that gives way had stored pays for the crack as far as the tip, for surfaces
+// The energy of a surface that gives way pays for the crack as far as the tip, for surfaces
 // beneath it that the tip has met, and for the springs of tip and shaft. The rest goes to the
 // account, never to the hand: no spring is loaded to more than the force before.
 bool NeedleTouch::puncture(const SceneObjects& scene, const Vec3& tip_W, Order& order) {

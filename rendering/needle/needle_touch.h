@@ -31,7 +31,7 @@ struct NeedleForce {
   Vec3 friction_W = Vec3::Zero();
   // The power to the hand by layers that move by themselves, W.
   double driven_power = 0.0;
-  // How far the surface in front of the tip is pressed in, m.
+  // The depth by which the surface in front of the tip is pressed in, m.
   double depth_m = 0.0;
   // The innermost layer that the tip has met, kNoObject for none.
   std::uint32_t object = kNoObject;
@@ -88,11 +88,11 @@ class NeedleTouch {
     double near_m = 0.0;
     double far_m = 0.0;
   };
-  // What a puncture has to give: energy, J, and the force that it took away, N.
+  // The energy that a puncture has to give, J, and the force that it took away, N.
   struct Recoil {
     double available_J = 0.0;
     double most_N = 0.0;
-    // How far the needle springs forward, m; 0 before the first puncture of a tick.
+    // The length by which the needle springs forward, m; 0 before the first puncture of a tick.
     double length_m = 0.0;
     // The layers that the tick has looked at, a bit each.
     std::uint32_t tried = 0;

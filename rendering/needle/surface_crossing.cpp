@@ -49,7 +49,7 @@ class CrossingVisitor {
   [[nodiscard]] const SurfaceCrossing& found() const { return found_; }
 
  private:
-  // Of two crossings at one place, as at a crease, the one inward counts.
+  // If two crossings are at one place, as at a crease, the one inward counts.
   void add(double share, bool is_inward) {
     if (is_inward && (!found_.enters || share < found_.entry)) {
       found_.entry = share;

@@ -1,4 +1,4 @@
-// Where a straight motion crosses a closed surface.
+// Finds the places at which a straight motion crosses a closed surface.
 #pragma once
 
 #include "rendering/geometry/mesh.h"

@@ -25,7 +25,7 @@ struct Tissue {
   double stiffness_N_per_m = 0.0;
   double stiffness_N_per_m2 = 0.0;
   double puncture_force_N = 0.0;
-  // How far the surface stays pressed in after the puncture, m.
+  // The depth by which the surface stays pressed in after the puncture, m.
   double residual_m = 0.0;
   // The force on the tip that cuts, N, and the part of it that makes a crack: J for each m^2 of
   // crack. The rest spreads the tissue, and is there in an old channel too.

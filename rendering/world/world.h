@@ -45,7 +45,7 @@ struct WorldConfig {
 // objects that move or deform, and on the effects. They cannot be cut.
 std::size_t standing_units(std::span<const Object> objects, const WorldConfig& config);
 
-// What a world keeps of one tool: its contacts, and what the effects remember of it.
+// The state of one tool in a world: its contacts, and what the effects remember of it.
 struct ToolSlot {
   ToolTouch touch;
   EffectTouch effects;
@@ -87,8 +87,6 @@ class World {
 
   // Returns the most tools that the world has room for.
   [[nodiscard]] std::size_t tool_capacity() const { return 1 + more_tools_.size(); }
-  // Returns the number of tools of the scene.
-  [[nodiscard]] std::size_t tool_count() const { return tool_count_; }
 
   // Sets the pose and velocity of an object that `moves` from the next tick on. Returns false if
   // SceneObjects::set_pose refuses.

@@ -39,13 +39,8 @@ class ProgramHooks {
   // Returns the operator's request. With --enable, homes and enables until an operator sends one.
   [[nodiscard]] Request take_request(Controller& controller) const {
     const Request commanded = parts_.queue.before_tick(controller);
-    const Mode mode = controller.mode();
-    if (!enable_ || parts_.queue.is_operated()) {
-      return commanded;
-    }
-    return mode == Mode::init    ? Request::home
-           : mode == Mode::ready ? Request::enable
-                                 : Request::none;
+    const bool is_automatic = enable_ && !parts_.queue.is_operated();
+    return is_automatic ? request_toward_active(controller.mode()) : commanded;
   }
 
   void publish(Controller& controller, const LoopTick& tick) {

@@ -177,8 +177,7 @@ bool has_bodies(const SceneDescription& description) {
   if (bodies > 0 && obstacles > static_cast<std::ptrdiff_t>(rendering::kMaxObstacles)) {
     throw InputError(
         fmt::format("{}: {} objects without a body beside bodies, which can meet {} of them; leave "
-                    "some out, or "
-                    "join their meshes",
+                    "some out, or join their meshes",
                     description.file, obstacles, rendering::kMaxObstacles));
   }
   return bodies > 0;

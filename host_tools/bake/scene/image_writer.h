@@ -48,7 +48,7 @@ struct BakedObject {
   MotionDescription motion;
   // The body that moves by forces; nothing for an object that is none.
   std::optional<BakedBody> body = std::nullopt;
-  // What makes it a layer that a needle pierces; nothing for others.
+  // The tissue of a layer that a needle pierces; none for other objects.
   std::optional<rendering::Tissue> tissue = std::nullopt;
 };
 

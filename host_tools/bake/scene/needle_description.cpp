@@ -182,14 +182,13 @@ std::optional<Needle> read_needle(const TomlSection& tool, std::string_view file
                  fmt::format("tip_stiffness_N_per_m is {}, where {} is the most",
                              needle.tip_stiffness_N_per_m, rendering::kMostNeedleStiffness));
   }
-  if (const auto axis = section.numbers("axis", 3)) {
-    const Vec3 direction((*axis)[0], (*axis)[1], (*axis)[2]);
-    if (!(direction.norm() > 0.0)) {
+  if (const auto direction = section.vector("axis")) {
+    if (!(direction->norm() > 0.0)) {
       section.fail("axis",
                    "axis has no length; write the direction in which the needle pierces, "
                    "as in [0.0, -1.0, 0.0]");
     }
-    needle.axis_W = direction.normalized();
+    needle.axis_W = direction->normalized();
   }
   return needle;
 }

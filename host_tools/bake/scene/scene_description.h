@@ -49,7 +49,7 @@ struct ObjectDescription {
   MotionDescription motion;
   // The body that moves by forces; nothing for an object that is none.
   std::optional<BodyDescription> body;
-  // What makes it a layer that a needle pierces; nothing for others.
+  // The tissue of a layer that a needle pierces; none for other objects.
   std::optional<rendering::Tissue> tissue;
   // Shading and textures.
   DetailDescription detail;

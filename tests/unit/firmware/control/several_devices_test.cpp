@@ -159,6 +159,11 @@ TEST_F(SeveralDevices, AreAllAskedBeforeASceneBecomesStiffer) {
   const auto refused = all->set_parameter(stiff);
   ASSERT_FALSE(refused);
   EXPECT_EQ(refused.error(), ParameterRefusal::uncertified);
+  const Floor stiffer({.stiffness_N_per_m = 700.0});
+  const auto loaded = all->load_scene(stiffer.objects(), {});
+  ASSERT_FALSE(loaded);
+  EXPECT_EQ(loaded.error().fault, SceneFault::uncertified);
+  EXPECT_EQ(loaded.error().device, 2U);
   // The device's own parameters are its own.
   const ParameterChange force{.place = {.parameter = Parameter::max_force}, .value = 1.0};
   ASSERT_TRUE(all->set_parameter(force, 1));

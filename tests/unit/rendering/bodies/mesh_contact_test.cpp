@@ -220,7 +220,7 @@ TEST(MeshContact, NothingGoesThroughAMeshHoweverFast) {
   }
 }
 
-// What moves by itself carries what stands on it.
+// An obstacle that moves by itself carries the body that stands on it.
 TEST(MeshContact, ABoxRidesOnAMeshThatMovesAsOnABoxThatMoves) {
   const Vec3 block(0.2, 0.04, 0.2);
   Twins twins;
