@@ -12,6 +12,8 @@ namespace tactus::drivers {
 // A Falcon on USB.
 struct FalconConnection {
   std::string_view firmware_file;  // uploaded when the device has none; empty: none
+  // The serial number of the Falcon, as lsusb shows it; empty: the first one found.
+  std::string_view serial;
   FalconConfig falcon;
 };
 
@@ -25,6 +27,7 @@ namespace falcon {
 std::span<const Binding<FalconConnection>> connection_keys();
 std::span<const Binding<FalconAxis>> keys();
 Checked check(const FalconAxis& axis, const FalconConnection& connection);
+std::string_view shared_key(const FalconConnection& one, const FalconConnection& other);
 
 }  // namespace falcon
 
@@ -32,9 +35,8 @@ inline constexpr ConnectionRegistration<FalconConnection> kFalconConnection{
     .kind = "falcon_usb",
     .keys = falcon::connection_keys,
     .check = [](const FalconConnection& /*connection*/) { return Checked{}; },
-    .shared_key = [](const FalconConnection& /*one*/,
-                     const FalconConnection& /*other*/) -> std::string_view { return "kind"; },
-    .sharing_advice = "there is room for one Falcon",
+    .shared_key = falcon::shared_key,
+    .sharing_advice = "write the serial number of each, as lsusb -v -d 0403:cb48 shows it",
     .accepts_unproven_watchdog =
         [](const FalconConnection& connection) { return connection.falcon.unproven_watchdog; },
 };

@@ -42,6 +42,12 @@ Verdict check_whole(const DeviceConfig& device, Words& words);
 // sharing_checks.cpp.
 Verdict check_sharing(const DeviceConfig& device, Words& words);
 
+// Checks two drives on one CAN bus: they must not answer to the same number, nor have a common
+// identifier of their frames. `index` is that of `axis`; `of_other` follows the other's name in the
+// message. In sharing_checks.cpp.
+Verdict check_can_pair(const AxisConfig& axis, std::size_t index, const AxisConfig& other,
+                       std::string_view of_other, Words& words);
+
 // Checks the pins. It is called by check_sharing. In pin_checks.cpp.
 Verdict check_pins(const DeviceConfig& device, Words& words);
 

@@ -125,31 +125,6 @@ Verdict check_board_numbers(const DeviceConfig& device, Words& words) {
   return {};
 }
 
-// Refuses drives on one CAN bus with the same number, or with a common identifier of their frames.
-Verdict check_can_pair(const DeviceConfig& device, std::size_t i, std::size_t k, Words& words) {
-  const AxisConfig& axis = device.axes[i];
-  const AxisConfig& other = device.axes[k];
-  const std::string_view key = number_key(axis);
-  if (have_same_number(axis, other)) {
-    also_of(words, "axis", other.name)
-        .add(
-            "both would obey each other's torques: give each drive on a bus a number of its own, "
-            "in the drive and here");
-    return refuse(Place::axis, i, key, words.view());
-  }
-  if (const auto shared = shared_identifier(axis, other)) {
-    words.clear();
-    words.add("gives it the CAN identifier 0x")
-        .add(shared->id, 16U)
-        .add(shared->extended ? " (29 bits)" : " (11 bits)")
-        .add(", which axis \"")
-        .add(other.name)
-        .add("\" uses too; choose other numbers, or give one of them a bus of its own");
-    return refuse(Place::axis, i, key, words.view());
-  }
-  return {};
-}
-
 Verdict check_can(const DeviceConfig& device, Words& words) {
   for (std::size_t i = 0; i < device.axis_count; ++i) {
     for (std::size_t k = 0; k < i; ++k) {
@@ -157,7 +132,8 @@ Verdict check_can(const DeviceConfig& device, Words& words) {
           number_key(device.axes[i]).empty()) {
         continue;
       }
-      if (const Verdict verdict = check_can_pair(device, i, k, words); !verdict) {
+      if (const Verdict verdict = check_can_pair(device.axes[i], i, device.axes[k], {}, words);
+          !verdict) {
         return verdict;
       }
     }
@@ -166,6 +142,35 @@ Verdict check_can(const DeviceConfig& device, Words& words) {
 }
 
 }  // namespace
+
+Verdict check_can_pair(const AxisConfig& axis, std::size_t index, const AxisConfig& other,
+                       std::string_view of_other, Words& words) {
+  const std::string_view key = number_key(axis);
+  if (have_same_number(axis, other)) {
+    words.clear();
+    words.add("is also that of axis \"")
+        .add(other.name)
+        .add("\"")
+        .add(of_other)
+        .add(
+            "; both would obey each other's torques: give each drive on a bus a number of its own, "
+            "in the drive and here");
+    return refuse(Place::axis, index, key, words.view());
+  }
+  if (const auto shared = shared_identifier(axis, other)) {
+    words.clear();
+    words.add("gives it the CAN identifier 0x")
+        .add(shared->id, 16U)
+        .add(shared->extended ? " (29 bits)" : " (11 bits)")
+        .add(", which axis \"")
+        .add(other.name)
+        .add("\"")
+        .add(of_other)
+        .add(" uses too; choose other numbers, or give one of them a bus of its own");
+    return refuse(Place::axis, index, key, words.view());
+  }
+  return {};
+}
 
 Verdict check_sharing(const DeviceConfig& device, Words& words) {
   constexpr std::array<Look, 6> kLooks{check_all_names,     check_connections, check_joints,

@@ -1,11 +1,10 @@
 #include "host_tools/cli/monitor_verb.h"
 
+#include "host_tools/cli/run_folder_option.h"
 #include "host_tools/monitor/session.h"
-#include "host_tools/remote/remote.h"
 
 #include <CLI/CLI.hpp>
 #include <memory>
-#include <string>
 
 namespace tactus::host {
 namespace {
@@ -19,18 +18,17 @@ constexpr const char* kMonitorExamples =
     "Examples:\n"
     "  tactus monitor                     the controller of this machine\n"
     "  ssh -t board tactus monitor        that of another\n"
+    "  tactus monitor --device 2          the second of its devices\n"
     "  tactus monitor --run-dir /tmp/run  one that was started with that --run-dir";
 
 }  // namespace
 
 void add_monitor_verb(CLI::App& app) {
   CLI::App* verb = app.add_subcommand("monitor", "Watch and operate a running controller");
-  const auto run_dir = std::make_shared<std::string>(kDefaultRunDir);
-  verb->add_option("--run-dir", *run_dir, "Folder of the controller's sockets")
-      ->envname("TACTUS_RUN_DIR")
-      ->capture_default_str();
+  const auto run = std::make_shared<RunFolderOption>();
+  add_run_folder_option(*verb, *run);
   verb->footer(kMonitorExamples);
-  verb->callback([run_dir] { run_monitor(*run_dir); });
+  verb->callback([run] { run_monitor(run->folder().string()); });
 }
 
 }  // namespace tactus::host

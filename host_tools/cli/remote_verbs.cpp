@@ -14,6 +14,7 @@
 #include <thread>
 #include <utility>
 
+#include "host_tools/cli/run_folder_option.h"
 #include "host_tools/remote/remote.h"
 
 namespace tactus::host {
@@ -25,7 +26,7 @@ constexpr const char* kExitCodes =
 
 // The options of all these verbs; each uses some of them.
 struct RemoteOptions {
-  std::string run_dir = std::string(kDefaultRunDir);
+  RunFolderOption run;
   std::string name;
   std::string value;
   std::string file;
@@ -45,10 +46,7 @@ struct VerbText {
 std::pair<CLI::App*, SharedOptions> add_verb(CLI::App& app, const VerbText& text) {
   CLI::App* const verb = app.add_subcommand(text.name, text.description);
   auto options = std::make_shared<RemoteOptions>();
-  verb->add_option("--run-dir", options->run_dir,
-                   "Folder of the controller's sockets, as tactusd was given it")
-      ->envname("TACTUS_RUN_DIR")
-      ->capture_default_str();
+  add_run_folder_option(*verb, options->run);
   verb->footer(fmt::format("{}\n{}", text.examples, kExitCodes));
   return {verb, options};
 }
@@ -68,14 +66,14 @@ void tell(const Reply& reply) {
 void tell(const RemoteOptions& options, const std::string& line) {
   // The reply to `list` takes a tick for every parameter of every object.
   constexpr std::chrono::minutes kLongList(1);
-  Remote remote(options.run_dir);
+  Remote remote(options.run.folder());
   tell(remote.send(line, line == "list" ? std::chrono::milliseconds(kLongList)
                                         : std::chrono::milliseconds(5000)));
 }
 
 // Starts homing, and waits until it is over if the user asks for that.
 void home(const RemoteOptions& options) {
-  Remote remote(options.run_dir);
+  Remote remote(options.run.folder());
   tell(remote.send("home"));
   while (options.wait) {
     const Reply status = remote.send("status");
@@ -94,8 +92,8 @@ void home(const RemoteOptions& options) {
 void add_requests(CLI::App& app) {
   constexpr auto kRequests = std::to_array<VerbText>({
       {"enable", "Let the running controller put force on the hand",
-       "Works in the mode `ready`; the force rises softly.\n\nExample:\n  tactus home --wait && "
-       "tactus enable"},
+       "Works in the mode `ready`; the force rises softly.\n\nExamples:\n  tactus home --wait && "
+       "tactus enable\n  tactus enable --device 2             the second of several devices"},
       {"disable", "Take the force away; the mode is then `ready`", "Example:\n  tactus disable"},
       {"reset", "Leave the mode `fault`, once its cause is gone",
        "Force comes back only through home and enable.\n\nExample:\n  tactus reset && tactus home "
@@ -111,7 +109,7 @@ void add_requests(CLI::App& app) {
     auto [verb, options] = add_verb(app, text);
     verb->callback([options, name = std::string(text.name)] {
       if (name == "estop") {
-        tell(send_stop(options->run_dir));
+        tell(send_stop(options->run.folder()));
       } else {
         tell(*options, name);
       }

@@ -219,7 +219,7 @@ class ServedSimulation {
   ServedTelemetry telemetry_;
   std::unique_ptr<firmware::CommandQueue> queue_ = std::make_unique<firmware::CommandQueue>();
   std::unique_ptr<firmware::CommandServer> server_ =
-      std::make_unique<firmware::CommandServer>(*queue_, *scenes_);
+      std::make_unique<firmware::CommandServer>(*queue_, scenes_.get());
 };
 
 }  // namespace

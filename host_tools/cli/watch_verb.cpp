@@ -14,11 +14,11 @@
 #include <vector>
 
 #include "host_tools/cli/monitor_verb.h"
+#include "host_tools/cli/run_folder_option.h"
 #include "host_tools/input_error.h"
 #include "host_tools/monitor/explain_line.h"
 #include "host_tools/monitor/watch.h"
 #include "host_tools/recording/live_reader.h"
-#include "host_tools/remote/remote.h"
 
 namespace tactus::host {
 namespace {
@@ -40,7 +40,7 @@ constexpr const char* kWatchExamples =
 
 // The verb's options as the user gave them.
 struct WatchOptions {
-  std::string run_dir{kDefaultRunDir};
+  RunFolderOption run;
   std::vector<std::string> fields;
   std::uint64_t every = 1;
   double seconds = 0.0;
@@ -113,7 +113,7 @@ void print_run(const WatchOptions& options) {
   using std::chrono::steady_clock;
   // A closed pipe is then an error of the write that finds it, not a signal that ends the program.
   std::signal(SIGPIPE, SIG_IGN);
-  LiveReader reader((std::filesystem::path(options.run_dir) / kLiveSocketFile).string());
+  LiveReader reader((options.run.folder() / kLiveSocketFile).string());
   reader.ask_for_explanations(options.explain);
   Lines lines(options);
   const auto begin = steady_clock::now();
@@ -155,9 +155,7 @@ void run(const WatchOptions& options) {
 void add_watch_verb(CLI::App& app) {
   CLI::App* verb = app.add_subcommand("watch", "Print a running controller's ticks as lines");
   const auto options = std::make_shared<WatchOptions>();
-  verb->add_option("--run-dir", options->run_dir, "Folder of the controller's sockets")
-      ->envname("TACTUS_RUN_DIR")
-      ->capture_default_str();
+  add_run_folder_option(*verb, options->run);
   verb->add_option("--fields", options->fields, "Fields, apart by commas")->delimiter(',');
   verb->add_option("--every", options->every, "Every so many ticks")
       ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{1'000'000'000}));

@@ -63,7 +63,7 @@ class BusyHooks {
 
   static bool stopping() { return false; }
   static bool has_crashed() { return false; }
-  firmware::Request take_request(firmware::Controller& controller) {
+  void take_requests(firmware::Controller& controller, std::span<firmware::Request> requests) {
     if (ticks_ % 100 == 99) {
       beside_->desk.post({.kind = firmware::CommandKind::set,
                           .change = {.place = {.parameter = firmware::Parameter::max_force},
@@ -73,10 +73,7 @@ class BusyHooks {
       beside_->flight.ask();
     }
     beside_->desk.before_tick(controller);
-    const firmware::Mode mode = controller.mode();
-    return mode == firmware::Mode::init    ? firmware::Request::home
-           : mode == firmware::Mode::ready ? firmware::Request::enable
-                                           : firmware::Request::none;
+    requests[0] = firmware::request_toward_active(controller.mode());
   }
   void publish(firmware::Controller& controller, const firmware::LoopTick& tick) {
     beside_->desk.after_tick(controller);
@@ -91,7 +88,7 @@ class BusyHooks {
     beside_->telemetry.publish(recorded);
     beside_->explanations.after_tick(controller, tick.scheduled_ns, beside_->telemetry);
     explained += beside_->telemetry.wants_explanations() ? 1 : 0;
-    beside_->supervisor.note(controller.mode());
+    beside_->supervisor.note(std::array{controller.mode()});
     contacts += controller.record().contact != rendering::ContactKind::none ? 1 : 0;
     ++ticks_;
   }
@@ -150,14 +147,16 @@ TEST(Loop, NeverUsesTheHeapFromItsFirstTickToItsLast) {
   StrokingDevice device;
   BusyHooks hooks(beside);
   const firmware::LoopConfig config{.phase = firmware::loop_phase(1000.0), .ticks = kTicks};
+  const std::array devices{&device};
+  const std::array watchdogs{&watchdog};
   const firmware::LoopParts parts{
-      .controller = controller, .clock = clock, .timing = timing, .watchdog = watchdog};
+      .controller = controller, .clock = clock, .timing = timing, .watchdogs = watchdogs};
 
   std::size_t calls = 0;
   firmware::LoopEnd end{};
   {
     const HeapTrap trap;
-    end = firmware::run_loop(config, parts, device, hooks);
+    end = firmware::run_loop(config, parts, std::span(devices), hooks);
     while (beside.flight.files() == 0) {
       usleep(1000);
     }

@@ -15,6 +15,9 @@ constexpr std::string_view kHelp =
     "ok help: home | enable | disable | reset | estop | status | list | get NAME | set NAME VALUE "
     "| scene FILE | record on FILE | record off | inject FAULT [TICKS]";
 
+constexpr std::string_view kOfFirstDevice =
+    "the scene and its objects belong to the first device; send it there, without --device";
+
 // Returns the place of the parameter at `index` of a list: the controller's own parameters come
 // first, then those of each object. Returns nothing beyond the last.
 std::optional<ParameterPlace> listed_place(std::size_t index, std::size_t objects) {
@@ -128,8 +131,12 @@ void CommandProcessor::post(CommandClient& client) {
 void CommandProcessor::ask_parameter(CommandClient& client, const CommandLine& command) {
   ParameterPlace place{.parameter = command.name.parameter};
   if (!command.name.object.empty()) {
+    if (scenes_ == nullptr) {
+      refuse(client, word_of(client.waiting), kOfFirstDevice);
+      return;
+    }
     auto number = object_number(command.name.object);
-    number = number ? number : scenes_.find_object(command.name.object);
+    number = number ? number : scenes_->find_object(command.name.object);
     if (!number) {
       refuse(client, word_of(client.waiting), describe(ParameterRefusal::no_such_object));
       return;
@@ -143,6 +150,10 @@ void CommandProcessor::ask_parameter(CommandClient& client, const CommandLine& c
 // Asks for the mode before it opens the file: no command is carried out while a file is read, so a
 // file is never read while the motors have power.
 void CommandProcessor::ask_scene(CommandClient& client, std::string_view file) {
+  if (scenes_ == nullptr) {
+    refuse(client, "scene", kOfFirstDevice);
+    return;
+  }
   std::ranges::copy(file, client.waiting.file.begin());
   client.waiting.is_asking = true;
   ask(client, {.kind = CommandKind::look});
@@ -162,7 +173,7 @@ void CommandProcessor::hand_scene_over(CommandClient& client, const Answer& answ
     refuse(client, "scene", "another scene is on its way to the loop; send it again");
     return;
   }
-  const auto opened = scenes_.open_next(client.waiting.file.data());
+  const auto opened = scenes_->open_next(client.waiting.file.data());
   if (!opened) {
     const SceneStoreError& error = opened.error();
     client.out().add("refused scene: ").add(client.waiting.file.data()).add(": ").add(error.what);
@@ -180,9 +191,8 @@ void CommandProcessor::hand_scene_over(CommandClient& client, const Answer& answ
 }
 
 void CommandProcessor::ask_next_of_list(CommandClient& client) {
-  const rendering::SceneImage* const scene = scenes_.scene();
-  const auto place =
-      listed_place(client.waiting.listed, scene == nullptr ? 0 : scene->objects().size());
+  const std::size_t objects = scene() == nullptr ? 0 : scene()->objects().size();
+  const auto place = listed_place(client.waiting.listed, objects);
   if (!place) {
     client.out().add("ok list").end();
     client.waiting.is_under_way = false;
@@ -262,16 +272,16 @@ void CommandProcessor::take_over_scene(const Answer& answer) {
   }
   scene_ticket_ = 0;
   if (answer.outcome != Outcome::done) {
-    if (const rendering::SceneImage* const next = scenes_.next_scene(); next != nullptr) {
+    if (const rendering::SceneImage* const next = scenes_->next_scene(); next != nullptr) {
       refused_names_ = names_of(answer.scene_refusal.part, *next);
     }
-    scenes_.drop_next();
+    scenes_->drop_next();
     return;
   }
   if (hooks_.scene_changed != nullptr) {
-    hooks_.scene_changed(hooks_.run, scenes_.next_bytes());
+    hooks_.scene_changed(hooks_.run, scenes_->next_bytes());
   }
-  scenes_.use_next();
+  scenes_->use_next();
 }
 
 }  // namespace tactus::firmware

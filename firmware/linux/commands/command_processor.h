@@ -37,8 +37,10 @@ struct RunHooks {
 // The processor of one command socket.
 class CommandProcessor {
  public:
-  // All arguments must outlive this. Each answer goes to the client of `clients` that waits for it.
-  CommandProcessor(CommandQueue& queue, SceneStore& scenes, std::span<CommandClient> clients)
+  // All arguments must outlive this. `scenes` is null for a device that is not the controller's
+  // first one: its clients cannot reach the scene and its objects. Each answer goes to the client
+  // of `clients` that waits for it.
+  CommandProcessor(CommandQueue& queue, SceneStore* scenes, std::span<CommandClient> clients)
       : queue_(queue), scenes_(scenes), clients_(clients) {}
 
   // Takes the program's parts. `allow_inject` accepts `inject` commands. Call before the first
@@ -92,8 +94,13 @@ class CommandProcessor {
   void reply_status(CommandClient& client, const Answer& answer);
   void reply_list(CommandClient& client, const Answer& answer);
 
+  // Returns the scene in use; null if there is none here.
+  [[nodiscard]] const rendering::SceneImage* scene() const {
+    return scenes_ == nullptr ? nullptr : scenes_->scene();
+  }
+
   CommandQueue& queue_;
-  SceneStore& scenes_;
+  SceneStore* scenes_;
   // The server's clients.
   std::span<CommandClient> clients_;
   RunHooks hooks_;

@@ -61,7 +61,7 @@ std::optional<Answer> CommandQueue::next_answer() {
 }
 
 Request CommandQueue::before_tick(Controller& controller) {
-  before_ = controller.mode();
+  before_ = controller.mode(device_);
   if (const Command* const front = commands_.front(); front != nullptr) {
     // The place is freed before the answer, because the answer allows the next post.
     const Command command = *front;
@@ -76,7 +76,7 @@ Request CommandQueue::before_tick(Controller& controller) {
 
 // A request that fell into the tick of a stop is answered as without effect.
 void CommandQueue::after_tick(const Controller& controller) {
-  const TelemetryRecord& record = controller.record();
+  const TelemetryRecord& record = controller.record(device_);
   if (stops_.answer({.tick = record.tick, .after = record.mode})) {
     tell(EventKind::request, record.tick, kRequestNames[static_cast<std::size_t>(Request::estop)],
          0.0);
@@ -101,16 +101,16 @@ void CommandQueue::after_tick(const Controller& controller) {
 void CommandQueue::carry_out(const Command& command, Controller& controller) {
   Answer answer{.ticket = command.ticket,
                 .kind = command.kind,
-                .before = controller.mode(),
-                .after = controller.mode(),
+                .before = controller.mode(device_),
+                .after = controller.mode(device_),
                 .tick = controller.next_tick(),
-                .faults = controller.record().faults};
+                .faults = controller.record(device_).faults};
   switch (command.kind) {
     case CommandKind::request:
     case CommandKind::look:
       break;
     case CommandKind::get:
-      if (const auto value = controller.parameter(command.change.place)) {
+      if (const auto value = controller.parameter(command.change.place, device_)) {
         answer.value = *value;
       } else {
         answer.outcome = Outcome::parameter;
@@ -135,7 +135,7 @@ void CommandQueue::carry_out(const Command& command, Controller& controller) {
 
 // The answer holds the new value, or after a refusal the unchanged value and its range.
 void CommandQueue::set(const Command& command, Controller& controller, Answer& answer) {
-  const auto done = controller.set_parameter(command.change);
+  const auto done = controller.set_parameter(command.change, device_);
   if (!done) {
     answer.outcome = Outcome::parameter;
     answer.refusal = done.error();
@@ -145,7 +145,7 @@ void CommandQueue::set(const Command& command, Controller& controller, Answer& a
     tell(EventKind::parameter, answer.tick, write_parameter_name(command.change.place, name),
          command.change.value);
   }
-  if (const auto value = controller.parameter(command.change.place)) {
+  if (const auto value = controller.parameter(command.change.place, device_)) {
     answer.value = *value;
   }
 }

@@ -39,9 +39,14 @@ struct EventSink {
   void (*tell)(void* to, const TelemetryEvent& event) = nullptr;
 };
 
-// The queue of one controller.
+// The queue of one device of a controller.
 class CommandQueue {
  public:
+  // Serves the first device until set_device().
+  CommandQueue() = default;
+  // Serves the device of that number, 0 for the first. Call before the loop starts.
+  void set_device(std::size_t device) { device_ = device; }
+
   // These two may be called from any thread.
 
   // Makes the next tick an estop, before anything that waits in the queue. Returns the number of
@@ -93,6 +98,7 @@ class CommandQueue {
   // Gives an event to the receiver.
   void tell(EventKind kind, std::uint64_t tick, std::string_view name, double value) const;
 
+  std::size_t device_ = 0;
   RequestSlot requests_;
   StopSlot stops_;
   Ring<Command, kMaxWaiting> commands_;

@@ -42,12 +42,11 @@ void CommandProcessor::reply(CommandClient& client, const Answer& answer) {
 }
 
 void CommandProcessor::reply_set(CommandClient& client, const Answer& answer) {
-  const rendering::SceneImage* const scene = scenes_.scene();
   if (answer.outcome == Outcome::parameter && answer.refusal == ParameterRefusal::uncertified &&
-      scene != nullptr) {
+      scene() != nullptr) {
     const UncertifiedPart& part = answer.scene_refusal.part;
     std::array<char, kMaxCommandLine> room{};
-    refuse(client, "set", uncertified_words(part, names_of(part, *scene), room));
+    refuse(client, "set", uncertified_words(part, names_of(part, *scene()), room));
     return;
   }
   write_parameter_reply(client.out(), word_of(client.waiting), client.waiting.command.change.place,
@@ -68,9 +67,8 @@ void CommandProcessor::reply_scene(CommandClient& client, const Answer& answer) 
   TextLine& out = client.out();
   out.add("ok scene");
   write_tick(out, answer);
-  const rendering::SceneImage* const scene = scenes_.scene();
-  out.add(" objects=").add(scene == nullptr ? 0 : scene->objects().size());
-  out.add(" file=").add(scenes_.path()).end();
+  out.add(" objects=").add(scene() == nullptr ? 0 : scene()->objects().size());
+  out.add(" file=").add(scenes_->path()).end();
 }
 
 // Writes the reply to `status` and to `record`.
@@ -80,8 +78,11 @@ void CommandProcessor::reply_status(CommandClient& client, const Answer& answer)
   write_tick(out, answer);
   out.add(" faults=");
   write_faults(out, answer.faults);
-  const std::string_view scene = scenes_.path();
-  out.add(" scene=").add(scene.empty() ? "none" : scene).end();
+  if (scenes_ != nullptr) {
+    const std::string_view file = scenes_->path();
+    out.add(" scene=").add(file.empty() ? "none" : file);
+  }
+  out.end();
 }
 
 void CommandProcessor::reply_list(CommandClient& client, const Answer& answer) {
@@ -93,9 +94,8 @@ void CommandProcessor::reply_list(CommandClient& client, const Answer& answer) {
   const ParameterPlace& place = client.waiting.command.change.place;
   out.add("parameter");
   write_parameter(out, place, answer.value);
-  if (const rendering::SceneImage* const scene = scenes_.scene();
-      is_of_object(place.parameter) && scene != nullptr) {
-    out.add(" object=").add(scene->object_name(place.object));
+  if (is_of_object(place.parameter) && scene() != nullptr) {
+    out.add(" object=").add(scene()->object_name(place.object));
   }
   out.end();
 }

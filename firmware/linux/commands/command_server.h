@@ -46,7 +46,8 @@ struct CommandServerConfig {
 // The server of one program. The thread that starts it also stops it.
 class CommandServer {
  public:
-  CommandServer(CommandQueue& queue, SceneStore& scenes)
+  // `scenes` is null for a device that is not the controller's first one.
+  CommandServer(CommandQueue& queue, SceneStore* scenes)
       : stop_listener_(queue), processor_(queue, scenes, clients_) {}
   CommandServer(const CommandServer&) = delete;
   CommandServer& operator=(const CommandServer&) = delete;

@@ -42,10 +42,13 @@ std::string_view stop_recording(void* run) {
   return failed == 0 ? std::string_view{} : std::string_view(std::strerror(failed));
 }
 
-// Gives the new scene to recordings and to the flight recorder, before the old one's memory is
+// Gives the new scene to all recordings and to the flight recorder, before the old one's memory is
 // freed.
 void scene_changed(void* run, std::span<const std::byte> image) {
   writer_of(run).attach(attachment_of(kSceneAttachment, image));
+  for (TelemetryWriter* const companion : sinks_of(run).companions) {
+    companion->attach(attachment_of(kSceneAttachment, image));
+  }
   if (FlightWriter* const flight = sinks_of(run).flight; flight != nullptr) {
     flight->use_scene(image);
   }
@@ -55,8 +58,13 @@ void scene_changed(void* run, std::span<const std::byte> image) {
 // ticks cannot be replayed with another scene.
 void tell_event(void* to, const TelemetryEvent& event) {
   writer_of(to).publish(event);
-  if (FlightWriter* const flight = sinks_of(to).flight;
-      flight != nullptr && event.kind == EventKind::scene) {
+  if (event.kind != EventKind::scene) {
+    return;
+  }
+  for (TelemetryWriter* const companion : sinks_of(to).companions) {
+    companion->publish(event);
+  }
+  if (FlightWriter* const flight = sinks_of(to).flight; flight != nullptr) {
     flight->leave_scene();
   }
 }

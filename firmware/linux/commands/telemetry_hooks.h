@@ -2,6 +2,8 @@
 // command thread, the receiver of events in the loop's.
 #pragma once
 
+#include <span>
+
 #include "firmware/linux/commands/command_queue.h"
 #include "firmware/linux/commands/command_server.h"
 #include "firmware/linux/flight/flight_writer.h"
@@ -14,6 +16,8 @@ struct TelemetrySinks {
   TelemetryWriter* writer = nullptr;
   // The flight recorder's writer; null: there is none.
   FlightWriter* flight = nullptr;
+  // The writers of the controller's other devices, which record changes of the scene, too.
+  std::span<TelemetryWriter* const> companions;
 };
 
 // Returns hooks for `record` and `scene`. A recording's file is a plain name in the program's

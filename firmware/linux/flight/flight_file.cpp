@@ -36,18 +36,22 @@ void FlightFile::use_scene(std::span<const std::byte> image) {
   ++info_count_;
 }
 
-void FlightFile::name(std::uint64_t tick) {
-  const std::time_t now = std::time(nullptr);
+void FlightFile::name(std::time_t now, std::uint64_t tick) {
   std::tm utc{};
   gmtime_r(&now, &utc);
   std::array<char, 32> time{};
   std::strftime(time.data(), time.size(), "%Y%m%dT%H%M%SZ", &utc);
-  std::snprintf(path_.data(), path_.size(), "%s/flight-%s-%" PRIu64 ".mcap", plan_.folder,
-                time.data(), tick);
+  std::array<char, 16> device{};
+  if (plan_.device > 0) {
+    std::snprintf(device.data(), device.size(), ".%zu", plan_.device + 1);
+  }
+  std::snprintf(path_.data(), path_.size(), "%s/flight-%s-%" PRIu64 "%s.mcap", plan_.folder,
+                time.data(), tick, device.data());
 }
 
-WrittenFlight FlightFile::write(const FlightWindow& window, const FlightRecorder& recorder) {
-  name(window.end_tick);
+WrittenFlight FlightFile::write(const FlightWindow& window, const FlightTicks& ticks,
+                                std::time_t now) {
+  name(now, window.end_tick);
   if (const int failed = file_.open(path_.data(), plan_.run.clock_offset_ns,
                                     std::span(info_).first(info_count_), IfThere::refuse);
       failed != 0) {
@@ -58,10 +62,12 @@ WrittenFlight FlightFile::write(const FlightWindow& window, const FlightRecorder
       file_.attach(image);
     }
   }
-  file_.attach({.name = kStateAttachment, .bytes = window.state});
+  if (!window.state.empty()) {
+    file_.attach({.name = kStateAttachment, .bytes = window.state});
+  }
   std::uint64_t end = window.first_tick;
   RecordedTick tick;
-  while (end < window.end_tick && recorder.read(end, tick)) {
+  while (end < window.end_tick && ticks.read(end, tick)) {
     file_.add(tick);
     ++end;
   }

@@ -5,6 +5,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <ctime>
 #include <span>
 
 #include "firmware/linux/flight/flight_recorder.h"
@@ -20,6 +21,9 @@ namespace tactus::firmware {
 struct FlightPlan {
   // An existing folder for the files.
   const char* folder = ".";
+  // The number of the device, 0 for the controller's first; the names of the files of others have
+  // it.
+  std::size_t device = 0;
   // The number of ticks per second.
   double rate_hz = 1000.0;
   // The metadata of the run.
@@ -44,8 +48,9 @@ class FlightFile {
   // Exchanges the image of the scene, which must stay valid until the next one.
   void use_scene(std::span<const std::byte> image);
 
-  // Writes the ticks of the recorder's window to a new file.
-  WrittenFlight write(const FlightWindow& window, const FlightRecorder& recorder);
+  // Writes the window's state, if it has one, and its ticks to a new file. `now` is the time in the
+  // file's name, s since 1970.
+  WrittenFlight write(const FlightWindow& window, const FlightTicks& ticks, std::time_t now);
 
   // Returns the path of the last file.
   [[nodiscard]] const char* path() const { return path_.data(); }
@@ -55,8 +60,8 @@ class FlightFile {
  private:
   static constexpr std::size_t kMaxInfo = 24;
 
-  // Sets path_ to a name with the time and the tick.
-  void name(std::uint64_t tick);
+  // Sets path_ to a name with the time, the tick and the device.
+  void name(std::time_t now, std::uint64_t tick);
 
   FlightPlan plan_;
   AttachmentList images_;

@@ -1,46 +1,28 @@
 #include "firmware/linux/flight/flight_recorder.h"
 
-#include <cstring>
-#include <tuple>
-
 namespace tactus::firmware {
+
+void FlightRecorder::use_room(std::span<std::byte> room) {
+  const std::size_t bytes = room.size() / kStates;
+  for (std::size_t i = 0; i < kStates; ++i) {
+    states_[i].bytes = room.subspan(i * bytes, bytes);
+  }
+}
 
 void FlightRecorder::add(const RecordedTick& tick, Controller& controller) {
   const std::uint64_t number = tick.record.tick;
-  if (begins_ || number != end_tick_.load(std::memory_order_relaxed)) {
+  if (ticks_.add(tick)) {
     begin(number);
   }
-  put(ticks_[number % kFlightTicks], tick);
-  end_tick_.store(number + 1, std::memory_order_release);
   if (number + 1 >= state_due_) {
     take_state(number + 1, controller);
   }
 }
 
-// Writes a tick into its slot. The release order makes sure that a reader who sees a word of a
-// later tick also sees a later end_tick_.
-void FlightRecorder::put(Slot& slot, const RecordedTick& tick) {
-  std::array<std::uint64_t, std::tuple_size_v<Slot>> words{};
-  std::memcpy(words.data(), &tick, sizeof tick);
-  for (std::size_t i = 0; i < words.size(); ++i) {
-    slot[i].store(words[i], std::memory_order_release);
-  }
-}
-
-void FlightRecorder::take(const Slot& slot, RecordedTick& to) {
-  std::array<std::uint64_t, std::tuple_size_v<Slot>> words{};
-  for (std::size_t i = 0; i < words.size(); ++i) {
-    words[i] = slot[i].load(std::memory_order_acquire);
-  }
-  std::memcpy(static_cast<void*>(&to), words.data(), sizeof to);
-}
-
 void FlightRecorder::begin(std::uint64_t tick) {
-  begins_ = false;
   for (State& state : states_) {
     state.first_tick.store(kNoTick, std::memory_order_relaxed);
   }
-  begin_tick_.store(tick, std::memory_order_release);
   state_due_ = tick + 1;
 }
 
@@ -81,12 +63,12 @@ FlightRecorder::State* FlightRecorder::oldest_free() {
 
 bool FlightRecorder::can_serve(std::uint64_t first_tick, std::uint64_t end_tick) const {
   return first_tick <= end_tick && end_tick - first_tick <= kOldest &&
-         first_tick > begin_tick_.load(std::memory_order_acquire);
+         first_tick > ticks_.begin_tick();
 }
 
 std::optional<FlightWindow> FlightRecorder::hold() {
   release();
-  const std::uint64_t end_tick = end_tick_.load(std::memory_order_acquire);
+  const std::uint64_t end_tick = ticks_.end_tick();
   // Each state is taken before its number is read, so that the loop cannot replace it meanwhile. Of
   // two taken ones the worse is given back at once.
   for (std::size_t i = 0; i < kStates; ++i) {
@@ -110,22 +92,7 @@ std::optional<FlightWindow> FlightRecorder::hold() {
   const State& state = states_[held_];
   return FlightWindow{.first_tick = state.first_tick.load(std::memory_order_relaxed),
                       .end_tick = end_tick,
-                      .state = std::span(state.bytes).first(state.size)};
-}
-
-bool FlightRecorder::read(std::uint64_t number, RecordedTick& to) const {
-  const auto is_there = [&] {
-    const std::uint64_t end_tick = end_tick_.load(std::memory_order_acquire);
-    // The oldest tick is excluded, because the loop may be overwriting it.
-    return number < end_tick && end_tick - number < kFlightTicks &&
-           number >= begin_tick_.load(std::memory_order_acquire);
-  };
-  if (!is_there()) {
-    return false;
-  }
-  take(ticks_[number % kFlightTicks], to);
-  // The loop may have overwritten the tick during the copy, so the place is checked again.
-  return is_there();
+                      .state = state.bytes.first(state.size)};
 }
 
 void FlightRecorder::release() {

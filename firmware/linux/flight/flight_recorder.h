@@ -16,6 +16,7 @@
 
 #include "firmware/control/controller.h"
 #include "firmware/limits.h"
+#include "firmware/linux/flight/flight_ticks.h"
 #include "firmware/telemetry/recorded_tick.h"
 
 namespace tactus::firmware {
@@ -30,17 +31,29 @@ struct FlightWindow {
   std::span<const std::byte> state;
 };
 
-// The recorder of one controller. It holds kFlightTicks ticks and four states, so it belongs into
-// static storage. It uses no heap and no locks, and never waits.
+// The recorder of one controller. It holds kFlightTicks ticks of the first device and four states,
+// so it belongs into static storage. It uses no heap and no locks, and never waits.
 class FlightRecorder {
  public:
-  // Adds the last tick. Copies it, and once in kFlightTicks / 4 ticks the controller's state. Call
-  // from the loop's thread between ticks.
+  // The number of states that are kept.
+  static constexpr std::size_t kStates = 4;
+
+  FlightRecorder() { use_room(own_room_); }
+  FlightRecorder(const FlightRecorder&) = delete;
+  FlightRecorder& operator=(const FlightRecorder&) = delete;
+  ~FlightRecorder() = default;
+
+  // Keeps the states in kStates equal parts of `room`, which must outlive the recorder, in place of
+  // its own memory, which is enough for a controller with one device. Call before the first tick.
+  void use_room(std::span<std::byte> room);
+
+  // Adds the last tick of the first device. Copies it, and once in kFlightTicks / 4 ticks the
+  // controller's state. Call from the loop's thread between ticks.
   void add(const RecordedTick& tick, Controller& controller);
 
   // Drops all ticks at the next add(), because they cannot be replayed together with later ones:
   // after a change of the scene or configure(). Call from the loop's thread.
-  void forget() { begins_ = true; }
+  void forget() { ticks_.forget(); }
 
   // The next three are for one other thread.
 
@@ -49,14 +62,13 @@ class FlightRecorder {
   // two are for one thread beside the loop.
   std::optional<FlightWindow> hold();
 
-  // Copies a tick of the window. Returns false if it has been overwritten.
-  bool read(std::uint64_t number, RecordedTick& to) const;
+  // Returns the ticks, to copy those of the window.
+  [[nodiscard]] const FlightTicks& ticks() const { return ticks_; }
 
   // Gives the window up, so that the loop may overwrite its state.
   void release();
 
  private:
-  static constexpr std::size_t kStates = 4;
   static constexpr std::uint64_t kTicksBetweenStates = kFlightTicks / 4;
   // After a state could not be taken, the next attempt comes this many ticks later.
   static constexpr std::uint64_t kTicksToRetry = 256;
@@ -71,20 +83,12 @@ class FlightRecorder {
     std::atomic<Use> use{Use::nobody};
     std::atomic<std::uint64_t> first_tick{kNoTick};  // the first tick after the state
     std::size_t size = 0;
-    std::array<std::byte, kMaxCheckpointBytes> bytes{};
+    std::span<std::byte> bytes;
   };
   static_assert(std::atomic<Use>::is_always_lock_free &&
                 std::atomic<std::uint64_t>::is_always_lock_free);
 
-  // A tick as atomic 64-bit words, which the loop may write while the other thread reads.
-  using Slot =
-      std::array<std::atomic<std::uint64_t>,
-                 (sizeof(RecordedTick) + sizeof(std::uint64_t) - 1) / sizeof(std::uint64_t)>;
-
-  // Writes a tick into its slot, or reads one.
-  static void put(Slot& slot, const RecordedTick& tick);
-  static void take(const Slot& slot, RecordedTick& to);
-  // Forgets all ticks and starts with this one.
+  // Forgets all states and starts with this tick.
   void begin(std::uint64_t tick);
   // Saves the controller's state into the oldest place that the reader does not hold.
   void take_state(std::uint64_t next_tick, Controller& controller);
@@ -93,18 +97,13 @@ class FlightRecorder {
   // Returns true if the ticks between are there and stay there long enough.
   [[nodiscard]] bool can_serve(std::uint64_t first_tick, std::uint64_t end_tick) const;
 
-  // Loop only: true if the next tick begins a new history.
-  bool begins_ = true;
   // Loop only: the tick after which the next state is saved.
   std::uint64_t state_due_ = 0;
-  // The first tick since forget().
-  std::atomic<std::uint64_t> begin_tick_{0};
-  // One beyond the last tick.
-  std::atomic<std::uint64_t> end_tick_{0};
   // Reader only: the index of the held state.
   std::size_t held_ = kNoState;
   std::array<State, kStates> states_{};
-  std::array<Slot, kFlightTicks> ticks_{};
+  FlightTicks ticks_;
+  std::array<std::byte, kStates * kMaxCheckpointBytes> own_room_{};
 };
 
 }  // namespace tactus::firmware

@@ -17,8 +17,8 @@
 namespace tactus::firmware {
 namespace {
 
-// A claim's name, ended by a zero: as long as a claim's name may be.
-using Name = std::array<char, 100>;
+// A claim's name, ended by a zero.
+using ClaimName = std::array<char, 100>;
 
 // Returns the text with a zero at its end, as system calls need it.
 std::array<char, kMaxMessage> terminated(std::string_view text) {
@@ -29,8 +29,8 @@ std::array<char, kMaxMessage> terminated(std::string_view text) {
 
 // Names a file by its device and inode, so that a link to it has the same name. Returns an empty
 // name if there is no such file.
-Name file_claim(const char* kind, std::string_view path, unsigned channel = 0) {
-  Name name{};
+ClaimName file_claim(const char* kind, std::string_view path, unsigned channel = 0) {
+  ClaimName name{};
   struct stat status{};
   if (::stat(terminated(path).data(), &status) != 0) {
     return name;
@@ -43,8 +43,8 @@ Name file_claim(const char* kind, std::string_view path, unsigned channel = 0) {
 }
 
 // Names a CAN interface by its number. Returns an empty name if there is none.
-Name can_claim(std::string_view interface) {
-  Name name{};
+ClaimName can_claim(std::string_view interface) {
+  ClaimName name{};
   const unsigned index = if_nametoindex(terminated(interface).data());
   if (index != 0) {
     std::snprintf(name.data(), name.size(), "can/%u", index);
@@ -55,11 +55,13 @@ Name can_claim(std::string_view interface) {
 }  // namespace
 
 bool ExclusiveUse::take(std::string_view name, std::string_view what, std::string_view which) {
-  if (name.empty()) {
+  const auto has_name = [name](const Name& held) { return std::string_view(held.data()) == name; };
+  if (name.empty() || std::ranges::any_of(std::span(names_).first(taken_), has_name)) {
     return true;
   }
   const hal::ClaimOutcome outcome = claims_[taken_].take(name);
   if (outcome.is_held) {
+    std::ranges::copy(name, names_[taken_].begin());
     ++taken_;
     return true;
   }

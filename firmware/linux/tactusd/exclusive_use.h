@@ -9,6 +9,7 @@
 
 #include "firmware/device_file/device_config.h"
 #include "hal/linux/exclusive_claim.h"
+#include "rendering/limits.h"
 
 namespace tactus::firmware {
 
@@ -17,8 +18,9 @@ class ExclusiveUse {
  public:
   // Claims the folder of the sockets. Returns false after it has printed why to stderr.
   bool of_run_folder(const char* folder);
-  // Claims every connection of the device. One that does not exist is skipped, because opening it
-  // reports that. Returns false after it has printed why to stderr.
+  // Claims every connection of a device. One that does not exist is skipped, because opening it
+  // reports that, and so is a bus that another device of this program has claimed. Returns false
+  // after it has printed why to stderr.
   bool of_boards(const DeviceConfig& config);
 
  private:
@@ -31,7 +33,12 @@ class ExclusiveUse {
   // Claims one name. `what` and `which` describe it in a message.
   bool take(std::string_view name, std::string_view what, std::string_view which);
 
-  std::array<hal::ExclusiveClaim, kMaxConnections + 1> claims_;
+  // A claim's name, ended by a zero: as long as a claim's name may be.
+  using Name = std::array<char, 100>;
+  static constexpr std::size_t kMost = rendering::kMaxTools * (kMaxConnections + 1);
+
+  std::array<hal::ExclusiveClaim, kMost> claims_;
+  std::array<Name, kMost> names_{};
   std::size_t taken_ = 0;
 };
 

@@ -8,9 +8,9 @@
 
 namespace tactus::firmware {
 
-void complain(const OpenError& error) {
+void complain(const char* image, const OpenError& error) {
   const std::string_view code = hal::words(error.error.code);
-  std::fprintf(stderr, "tactusd: connection '%.*s': %.*s (%.*s, error %d)\n",
+  std::fprintf(stderr, "tactusd: %s: connection '%.*s': %.*s (%.*s, error %d)\n", image,
                length(error.connection), error.connection.data(), length(error.what),
                error.what.data(), length(code), code.data(), error.error.errno_value);
 }

@@ -8,8 +8,8 @@
 
 namespace tactus::firmware {
 
-// Prints why a board could not be opened.
-void complain(const OpenError& error);
+// Prints why a board could not be opened. `image` is the file of the device.
+void complain(const char* image, const OpenError& error);
 
 // Prints the latched faults (faults.h), the joint in trouble and the joint that lost its reference.
 void explain_fault(std::uint64_t faults, const drivers::ComposedDevice& device);

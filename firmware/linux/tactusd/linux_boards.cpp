@@ -62,42 +62,42 @@ LinuxBoards::Outcome LinuxBoards::open(const Opening& opening, const drivers::Ca
 LinuxBoards::Outcome LinuxBoards::open(const Opening& opening,
                                        const drivers::FalconConnection& usb) {
   const ConnectionConfig& setup = opening.connection();
-  if (falcon_) {
-    return cannot(setup, "one Falcon is all that fits");
-  }
-  const auto opened = usb_.open({.vendor = drivers::kFalconVendor,
-                                 .product = drivers::kFalconProduct,
-                                 .serial = {},
-                                 .interface = 0,
-                                 .endpoint_out = drivers::kFalconEndpointOut,
-                                 .endpoint_in = drivers::kFalconEndpointIn});
+  FalconLine& line = falcons_[opening.index];
+  const auto opened = line.usb.open({.vendor = drivers::kFalconVendor,
+                                     .product = drivers::kFalconProduct,
+                                     .serial = usb.serial,
+                                     .interface = 0,
+                                     .endpoint_out = drivers::kFalconEndpointOut,
+                                     .endpoint_in = drivers::kFalconEndpointIn});
   if (!opened) {
-    return cannot(setup, "the Falcon cannot be opened; plug it in, and see lsusb -d 0403:cb48",
+    return cannot(setup,
+                  usb.serial.empty()
+                      ? "the Falcon cannot be opened; plug it in, and see lsusb -d 0403:cb48"
+                      : "the Falcon of that serial number cannot be opened; plug it in, and see "
+                        "lsusb -v -d 0403:cb48",
                   opened.error());
   }
   drivers::FalconConfig falcon = usb.falcon;
   falcon.firmware = opening.falcon_firmware;
   falcon.unproven_watchdog = falcon.unproven_watchdog || opening.has_watchdog_line();
-  falcon_.emplace(usb_, clock_, falcon);
-  boards_[opening.index] = drivers::BoardRef(*falcon_);
+  line.falcon.emplace(line.usb, clock_, falcon);
+  boards_[opening.index] = drivers::BoardRef(*line.falcon);
   return {};
 }
 
 LinuxBoards::Outcome LinuxBoards::open(const Opening& opening,
                                        const drivers::HaplyConnection& haply) {
   const ConnectionConfig& setup = opening.connection();
-  if (haply_) {
-    return cannot(setup, "one Haply board is all that fits");
-  }
-  if (const auto opened = serial_.open(haply.port, kHaplyBaud); !opened) {
+  HaplyLine& line = haplys_[opening.index];
+  if (const auto opened = line.port.open(haply.port, kHaplyBaud); !opened) {
     return cannot(setup,
                   "the serial port cannot be opened; plug the board in, and see ls /dev/tty*",
                   opened.error());
   }
   drivers::HaplyConfig board = haply.haply;
   board.unproven_watchdog = board.unproven_watchdog || opening.has_watchdog_line();
-  haply_.emplace(serial_, clock_, board);
-  boards_[opening.index] = drivers::BoardRef(*haply_);
+  line.haply.emplace(line.port, clock_, board);
+  boards_[opening.index] = drivers::BoardRef(*line.haply);
   return {};
 }
 

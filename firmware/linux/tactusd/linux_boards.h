@@ -87,6 +87,17 @@ class LinuxBoards {
     std::optional<drivers::GpioAxis> axis;
   };
 
+  // A Falcon's interface and its driver.
+  struct FalconLine {
+    hal::LinuxUsbEndpoint usb;
+    std::optional<drivers::Falcon> falcon;
+  };
+  // A serial port with the Haply board behind it.
+  struct HaplyLine {
+    hal::LinuxSerialPort port;
+    std::optional<drivers::Haply> haply;
+  };
+
   // These open a connection of each kind.
   Outcome open(const Opening& opening, const drivers::CanConnection& can);
   Outcome open(const Opening& opening, const drivers::FalconConnection& usb);
@@ -101,10 +112,8 @@ class LinuxBoards {
   std::array<CanLine, kMaxConnections> can_;
   std::array<GpioLine, kMaxConnections> gpio_;
   std::optional<hal::LinuxGpioLines> watchdog_lines_;
-  hal::LinuxUsbEndpoint usb_;
-  std::optional<drivers::Falcon> falcon_;
-  hal::LinuxSerialPort serial_;
-  std::optional<drivers::Haply> haply_;
+  std::array<FalconLine, kMaxConnections> falcons_;
+  std::array<HaplyLine, kMaxConnections> haplys_;
   // The boards, one for each connection.
   std::array<drivers::BoardRef, kMaxConnections> boards_;
   // The board and the number on it of each axis.

@@ -5,11 +5,19 @@
 
 namespace tactus::firmware {
 
-bool LoopCourse::goes_on(Mode mode, bool stopping) {
+bool LoopCourse::goes_on(bool is_active, bool stopping) {
   --left_;
-  // A loop that is to stop ends only after the tick that has left `active`.
-  const bool stopped = stopping && mode != Mode::active;
+  // A loop that is to stop ends only after the tick in which the last device has left `active`.
+  const bool stopped = stopping && !is_active;
   return left_ > 0 && !stopped;
+}
+
+bool has_device_in(const Controller& controller, Mode mode) {
+  bool is_in = false;
+  for (std::size_t i = 0; i < controller.device_count(); ++i) {
+    is_in = is_in || controller.mode(i) == mode;
+  }
+  return is_in;
 }
 
 LoopReport loop_report(const LoopTick& tick, bool watchdog_driven, bool has_crashed) {

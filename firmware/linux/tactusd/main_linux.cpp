@@ -1,7 +1,8 @@
-// tactusd: the controller on a Linux machine. It reads the images, opens the boards and then runs
-// the loop (read -> controller -> write) at the device's rate, until a signal ends it. After a
-// fault the loop goes on without force, because an operator may reset the fault.
+// tactusd: the controller on a Linux machine. It reads the images, opens the boards of all devices
+// and then runs the loop (read -> controller -> write) at their rate, until a signal ends it. After
+// a fault the loop goes on without force, because an operator may reset the fault.
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <cinttypes>
 #include <cmath>
@@ -10,27 +11,22 @@
 #include <cstdlib>
 #include <cstring>
 #include <optional>
+#include <span>
+#include <string_view>
 
-#include "firmware/linux/commands/command_queue.h"
-#include "firmware/linux/commands/command_server.h"
-#include "firmware/linux/commands/telemetry_hooks.h"
 #include "firmware/linux/realtime/crash_stop.h"
 #include "firmware/linux/realtime/end_signals.h"
 #include "firmware/linux/realtime/real_time.h"
 #include "firmware/linux/realtime/service_notice.h"
 #include "firmware/linux/realtime/timing_report.h"
-#include "firmware/linux/realtime/watchdog_output.h"
+#include "firmware/linux/tactusd/device_set.h"
 #include "firmware/linux/tactusd/exclusive_use.h"
-#include "firmware/linux/tactusd/fault_messages.h"
-#include "firmware/linux/tactusd/linux_boards.h"
 #include "firmware/linux/tactusd/loop.h"
 #include "firmware/linux/tactusd/messages.h"
 #include "firmware/linux/tactusd/options.h"
 #include "firmware/linux/tactusd/program_hooks.h"
 #include "firmware/linux/tactusd/real_time_thread.h"
 #include "firmware/linux/tactusd/run_folder.h"
-#include "firmware/linux/tactusd/run_inputs.h"
-#include "firmware/linux/tactusd/run_telemetry.h"
 #include "firmware/linux/tactusd/supervisor.h"
 #include "hal/linux/system.h"
 
@@ -62,80 +58,67 @@ std::uint64_t now_ns() {
 // The objects that live as long as the program, in static storage.
 struct Program {
   ExclusiveUse exclusive_use;
-  RunInputs inputs;
-  LinuxBoards boards;
-  std::optional<drivers::ComposedDevice> device;
-  Controller controller;
+  SceneStore scenes;
+  DeviceSet devices;
   LoopTiming timing;
-  WatchdogOutput watchdog;
   CpuLatencyRequest cpu_latency;
   ServiceNotice notice;
   Supervisor supervisor;
-  RunTelemetry telemetry;
-  CommandQueue queue;
-  CommandServer commands{queue, inputs.scenes()};
 };
 
 Program program;
 
 // Takes the torque away at once. The handler of crashes calls it, too.
 void stop_motors() {
-  if (program.device) {
-    program.device->stop();
-  }
+  program.devices.stop_motors();
 }
 
 void on_flight_signal(int /*signal*/) {
-  program.telemetry.ask_for_flight();
+  program.devices.flight().ask();
 }
 
-// Opens all boards and the watchdog's line. Returns the device, or null after it has printed why to
-// stderr.
-drivers::ComposedDevice* open_boards() {
-  // Reading may take half of a period; the other half stays for the rest of the tick.
-  const double half_period_s = 0.5 / program.inputs.config().controller.rate_hz;
-  const double read_limit_s = std::min(program.inputs.config().read_limit_s, half_period_s);
-  const auto read_limit_ns = static_cast<hal::TimeNs>(read_limit_s * 1e9);
-  drivers::ComposedDevice& device = program.device.emplace(program.boards.clock(), read_limit_ns);
-  const auto opened =
-      program.boards.open(program.inputs.config(), program.inputs.falcon_firmware(), device);
-  if (!opened) {
-    complain(opened.error());
-    return nullptr;
+// Runs the loop with devices whose samples may be changed on the way.
+LoopEnd run_injected(const LoopConfig& config, const LoopParts& parts, double rate_hz,
+                     ProgramHooks& hooks) {
+  using Injected = InjectedDevice<drivers::ComposedDevice>;
+  std::array<std::optional<Injected>, rendering::kMaxTools> injected;
+  std::array<Injected*, rendering::kMaxTools> devices{};
+  const auto all = program.devices.all();
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    devices[i] =
+        &injected[i].emplace(all[i]->device(), all[i]->queue().injector(), rate_hz, now_ns);
   }
-  if (const auto watchdog = program.boards.open_watchdog(program.inputs.config(), program.watchdog);
-      !watchdog) {
-    complain(watchdog.error());
-    return nullptr;
-  }
-  return &device;
+  return run_loop(config, parts, std::span<Injected* const>(devices).first(all.size()), hooks);
 }
 
 // Runs the loop and stops the motors. Returns the exit code.
-int run(drivers::ComposedDevice& device, const Options& options) {
-  const double rate_hz = program.inputs.config().controller.rate_hz;
+int run(const Options& options) {
+  const auto all = program.devices.all();
+  const double rate_hz = all.front()->config().controller.rate_hz;
   LoopConfig config{.phase = loop_phase(rate_hz)};
   if (options.seconds > 0.0) {
     config.ticks = static_cast<std::uint64_t>(std::ceil(options.seconds * rate_hz));
   }
   program.timing.set_period(config.phase.period_ns);
-  ProgramHooks hooks({.queue = program.queue,
-                      .telemetry = program.telemetry,
-                      .supervisor = program.supervisor,
-                      .stop_requested = stop_requested},
-                     device, options.enable);
-  const LoopParts parts{.controller = program.controller,
-                        .clock = program.boards.clock(),
-                        .timing = program.timing,
-                        .watchdog = program.watchdog};
-  LoopEnd end = LoopEnd::ended;
-  if (options.allow_inject) {
-    InjectedDevice injected(device, program.queue.injector(), rate_hz, now_ns);
-    end = run_loop(config, parts, injected, hooks);
-  } else {
-    end = run_loop(config, parts, device, hooks);
+  ProgramHooks hooks(
+      {.devices = all, .supervisor = program.supervisor, .stop_requested = stop_requested},
+      options.enable);
+  std::array<WatchdogOutput*, rendering::kMaxTools> watchdogs{};
+  std::array<drivers::ComposedDevice*, rendering::kMaxTools> devices{};
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    watchdogs[i] = &all[i]->watchdog();
+    devices[i] = &all[i]->device();
   }
-  device.stop();
+  const LoopParts parts{.controller = program.devices.controller(),
+                        .clock = all.front()->clock(),
+                        .timing = program.timing,
+                        .watchdogs = std::span<WatchdogOutput* const>(watchdogs).first(all.size())};
+  const LoopEnd end =
+      options.allow_inject
+          ? run_injected(config, parts, rate_hz, hooks)
+          : run_loop(config, parts,
+                     std::span<drivers::ComposedDevice* const>(devices).first(all.size()), hooks);
+  stop_motors();
   end_real_time();
   return end == LoopEnd::faulted ? kFaulted : kEnded;
 }
@@ -145,36 +128,11 @@ bool start_reporting() {
   if (const int failed = program.notice.open(); failed != 0) {
     std::fprintf(stderr, "tactusd: $NOTIFY_SOCKET: %s\n", std::strerror(failed));
   }
-  const int failed = program.supervisor.start(program.notice);
+  const int failed = program.supervisor.start(program.notice, program.devices.all().size());
   if (failed != 0) {
     std::fprintf(stderr, "tactusd: no thread: %s\n", std::strerror(failed));
   }
   return failed == 0;
-}
-
-// Opens the command socket and the stop socket. Returns false after it has printed why to stderr.
-bool start_commands(const Options& options) {
-  const char* const folder = run_folder(options);
-  std::array<char, kMaxMessage> path{};
-  std::array<char, kMaxMessage> stop_path{};
-  std::snprintf(path.data(), path.size(), "%s/command.sock", folder);
-  std::snprintf(stop_path.data(), stop_path.size(), "%s/stop.sock", folder);
-  program.queue.set_events(telemetry_events(program.telemetry.sinks()));
-  RunHooks hooks = telemetry_hooks(program.telemetry.sinks());
-  hooks.enable_refusal = program.inputs.enable_refusal();
-  hooks.homing_hint = program.inputs.homing_hint();
-  const auto started = program.commands.start({.socket_path = path.data(),
-                                               .stop_socket_path = stop_path.data(),
-                                               .group = options.group,
-                                               .stop_priority = options.priority - 1,
-                                               .allow_inject = options.allow_inject,
-                                               .hooks = hooks});
-  if (!started) {
-    const ListenError& error = started.error();
-    std::fprintf(stderr, "tactusd: no commands: %s: %.*s (%s)\n", path.data(), length(error.what),
-                 error.what.data(), std::strerror(error.errno_value));
-  }
-  return started.has_value();
 }
 
 // Writes the histogram's file, or prints why it could not.
@@ -204,58 +162,48 @@ void print_end_signal() {
   }
 }
 
-// Opens everything, runs the loop, and ends what was started. Returns the exit code.
-int start_and_run(const Options& options) {
-  program.controller.set_clock(now_ns);
-  if (!take_run_folder(options, program.exclusive_use)) {
-    return kCouldNotStart;
-  }
-  RunInputs& inputs = program.inputs;
-  if (!inputs.load_device(options, program.controller) ||
-      !inputs.load_scene(options, program.controller) || !inputs.load_falcon_firmware()) {
-    return kCouldNotStart;
-  }
-  if (!program.exclusive_use.of_boards(inputs.config())) {
-    return kCouldNotStart;
-  }
-  drivers::ComposedDevice* const device = open_boards();
-  if (device == nullptr) {
-    return kCouldNotStart;
-  }
-  if (!program.telemetry.start(options,
-                               {.config = program.controller.config(),
-                                .device = inputs.device(),
-                                .scene = inputs.scenes().bytes()},
-                               inputs.config().joint_count)) {
-    return kCouldNotStart;
-  }
-  if (!start_commands(options) || !take_time(options, program.cpu_latency) || !start_reporting()) {
-    return kCouldNotStart;
-  }
-  if (!catch_signals()) {
-    return kCouldNotStart;
-  }
-  // The boards may put torque on the motors from here on, so the signals are caught by now.
-  device->start();
-  const int code = run(*device, options);
-  print_end_signal();
-  if (has_helper_crashed()) {
-    explain_fault(program.controller.record().faults, *device);
-    end_in_crash();
-  }
-  const bool has_ended = program.commands.stop();
-  program.supervisor.stop();
-  program.telemetry.stop(options);
-  if (code == kFaulted) {
-    explain_fault(program.controller.record().faults, *device);
-  }
+// Prints how the loop kept its time, and the hash of each device's ticks.
+void print_results(const Options& options) {
   print_timing(stderr, program.timing);
-  std::fprintf(stderr, "hash of all ticks: %016" PRIx64 "\n",
-               program.controller.record().state_hash);
+  const bool is_one = options.device_count == 1;
+  for (std::size_t i = 0; i < options.device_count; ++i) {
+    std::fprintf(stderr, "hash of all ticks%s%s: %016" PRIx64 "\n", is_one ? "" : " of ",
+                 is_one ? "" : options.devices[i],
+                 program.devices.controller().record(i).state_hash);
+  }
   if (options.histogram != nullptr) {
     write_timing(options.histogram);
   }
-  if (!has_ended) {
+}
+
+// Opens everything, runs the loop, and ends what was started. Returns the exit code.
+int start_and_run(const Options& options) {
+  DeviceSet& devices = program.devices;
+  if (!devices.make(options)) {
+    return kCouldNotStart;
+  }
+  devices.controller().set_clock(now_ns);
+  if (!take_run_folder(options, program.exclusive_use) ||
+      !devices.open(options, program.exclusive_use, program.scenes) ||
+      !devices.start_telemetry(options, program.scenes.bytes()) ||
+      !devices.start_commands(options, program.scenes) ||
+      !take_time(options, program.cpu_latency) || !start_reporting() || !catch_signals()) {
+    return kCouldNotStart;
+  }
+  // The boards may put torque on the motors from here on, so the signals are caught by now.
+  devices.start_motors();
+  const int code = run(options);
+  print_end_signal();
+  if (has_helper_crashed()) {
+    devices.explain_faults(options);
+    end_in_crash();
+  }
+  const bool have_ended = devices.stop_commands();
+  program.supervisor.stop();
+  devices.stop_telemetry();
+  devices.explain_faults(options);
+  print_results(options);
+  if (!have_ended) {
     std::fputs("tactusd: a file system has not answered the command thread; ends without it\n",
                stderr);
     std::fflush(nullptr);

@@ -4,6 +4,7 @@
 #include <string_view>
 
 #include "firmware/limits.h"
+#include "firmware/linux/tactusd/image_kind.h"
 #include "firmware/linux/tactusd/messages.h"
 
 namespace tactus::firmware {
@@ -87,27 +88,48 @@ bool read_value(std::string_view option, const char* value, Options& options) {
   return complain("unknown option", option);
 }
 
+// Takes an image by its kind. Returns false if there are too many.
+bool take_image(const char* path, Options& options) {
+  if (is_scene_image(path)) {
+    if (options.scene != nullptr) {
+      return complain("one scene is all that fits; another one is", path);
+    }
+    options.scene = path;
+    return true;
+  }
+  if (options.device_count == options.devices.size()) {
+    return complain("ten devices are all that fit; too much is", path);
+  }
+  options.devices[options.device_count] = path;
+  ++options.device_count;
+  return true;
+}
+
 }  // namespace
 
 void print_usage(std::FILE* file) {
   std::fputs(
-      "usage: tactusd DEVICE.tactus [SCENE.tactus] [option]...\n"
-      "Runs the controller on the device's boards: CAN, USB, serial ports and GPIO of this "
-      "machine.\n"
-      "Both images come from `tactus bake`; without a scene the tool moves in free space.\n"
+      "usage: tactusd DEVICE.tactus... [SCENE.tactus] [option]...\n"
+      "Runs the controller on the boards of one device, or of up to ten in one scene: CAN, USB,\n"
+      "serial ports and GPIO of this machine.\n"
+      "All images come from `tactus bake`; without a scene the tools move in free space.\n"
       "\n"
       "  --enable              home and enable as soon as the device is ready\n"
       "  --seconds S           end after S seconds; default: at Ctrl-C, or when its\n              "
       "          terminal goes\n"
       "  --record FILE         write every tick to an MCAP file, or as CSV if the name ends in "
-      ".csv\n"
+      ".csv;\n"
+      "                        of several devices to FILE.mcap, FILE.2.mcap, ...\n"
       "  --flight-dir DIR      after a fault, and at SIGUSR1, write the last seconds there; "
       "default:\n"
       "                        this folder. tactus replay lives them once more\n"
-      "  --run-dir DIR         put the sockets there; default /run/tactus\n"
+      "  --run-dir DIR         put the sockets there, and those of the second device into DIR/2; "
+      "default\n"
+      "                        /run/tactus\n"
       "  --group GROUP         the group that may command; default the program's own\n"
       "  --udp-json PORT       send ticks as JSON to this UDP port of this machine, 100 a second;\n"
-      "                        PlotJuggler listens at 9870\n"
+      "                        PlotJuggler listens at 9870; the second device sends to PORT + "
+      "1\n"
       "  --rate HZ             ticks a second in place of the device's own\n"
       "  --scene-memory MIB    take scene images of up to so many MiB; default 256. What the scene "
       "in\n"
@@ -129,7 +151,8 @@ void print_usage(std::FILE* file) {
       "Examples:\n"
       "  tactus bake arm.toml && tactus bake bunny.toml\n"
       "  tactusd arm.tactus bunny.tactus --enable\n"
-      "  tactusd arm.tactus bunny.tactus --enable --record run.mcap\n",
+      "  tactusd arm.tactus bunny.tactus --enable --record run.mcap\n"
+      "  tactusd left.tactus right.tactus grasp.tactus --enable\n",
       file);
 }
 
@@ -156,16 +179,15 @@ bool parse_options(int argc, const char* const* argv, Options& options) {
       if (!read_value(argument, value, options)) {
         return false;
       }
-    } else if (options.device == nullptr) {
-      options.device = argv[i];
-    } else if (options.scene == nullptr) {
-      options.scene = argv[i];
-    } else {
-      return complain("one device and one scene are all that fit; too much is", argument);
+    } else if (!take_image(argv[i], options)) {
+      return false;
     }
   }
-  if (options.device == nullptr) {
+  if (options.device_count == 0) {
     return complain("give a device image", "");
+  }
+  if (options.udp_port + options.device_count - 1 > 65535 && options.udp_port != 0) {
+    return complain("each device needs a UDP port after", "--udp-json");
   }
   return true;
 }

@@ -1,12 +1,14 @@
 // The command line of tactusd.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <cstdio>
 #include <optional>
 
 #include "firmware/linux/commands/scene_store.h"
+#include "rendering/limits.h"
 
 namespace tactus::firmware {
 
@@ -15,19 +17,21 @@ inline constexpr const char* kRunFolder = "/run/tactus";
 
 // The options as given, with their defaults. The texts point into the command line.
 struct Options {
-  // The device image.
-  const char* device = nullptr;
+  // The images of the devices, in the order in which they were given, and their number.
+  std::array<const char*, rendering::kMaxTools> devices{};
+  std::size_t device_count = 0;
   // The scene image; null: free space.
   const char* scene = nullptr;
-  // The recording's file, .mcap or .csv; null: no recording.
+  // The file of the first device's recording, .mcap or .csv; null: no recording.
   const char* record = nullptr;
   // The folder for the flight recorder's files.
   const char* flight_dir = ".";
-  // The folder for the sockets; null: kRunFolder.
+  // The folder for the sockets of the first device; null: kRunFolder.
   const char* run_dir = nullptr;
   // The group of the command socket; null: the program's own.
   const char* group = nullptr;
-  // The port of this machine that gets JSON; 0: none.
+  // The port of this machine that gets JSON of the first device, and the next one that of the
+  // second; 0: none.
   std::uint16_t udp_port = 0;
   // The CSV file that is written at the end; null: none.
   const char* histogram = nullptr;
@@ -58,7 +62,8 @@ struct Options {
 // Prints the usage with examples.
 void print_usage(std::FILE* file);
 
-// Reads the command line into `options`. Returns false after it has printed why to stderr.
+// Reads the command line into `options`, and from each image whether it is a scene's. Returns false
+// after it has printed why to stderr.
 bool parse_options(int argc, const char* const* argv, Options& options);
 
 }  // namespace tactus::firmware

@@ -2,57 +2,70 @@
 // reports to. Real time.
 #pragma once
 
+#include <algorithm>
+#include <array>
 #include <atomic>
+#include <cstddef>
+#include <span>
 
-#include "drivers/composition/composed_device.h"
 #include "firmware/control/controller.h"
-#include "firmware/linux/commands/command_queue.h"
 #include "firmware/linux/realtime/crash_stop.h"
 #include "firmware/linux/tactusd/loop.h"
-#include "firmware/linux/tactusd/run_telemetry.h"
+#include "firmware/linux/tactusd/run_device.h"
 #include "firmware/linux/tactusd/supervisor.h"
+#include "rendering/limits.h"
 
 namespace tactus::firmware {
 
-// Connects the loop with the rest of the program: requests come from the command queue and from
-// --enable, and every tick goes to telemetry and to the supervisor.
+// Connects the loop with the rest of the program: requests come from the command queues and from
+// --enable, and every tick goes to the telemetry of each device and to the supervisor.
 class ProgramHooks {
  public:
   // The parts of the program that the loop works with. They must outlive the object.
   struct Parts {
-    CommandQueue& queue;
-    RunTelemetry& telemetry;
+    // The devices in the order of the controller's.
+    std::span<RunDevice* const> devices;
     Supervisor& supervisor;
     // True after a signal that ends the program.
     const std::atomic<bool>& stop_requested;
   };
 
   // `enable`: the option --enable.
-  ProgramHooks(const Parts& parts, const drivers::ComposedDevice& device, bool enable)
-      : parts_(parts), device_(&device), enable_(enable) {}
+  ProgramHooks(const Parts& parts, bool enable) : parts_(parts), enable_(enable) {}
 
   [[nodiscard]] bool stopping() const {
     return parts_.stop_requested.load(std::memory_order_relaxed);
   }
-  [[nodiscard]] bool has_crashed() const { return has_helper_crashed(); }
+  [[nodiscard]] static bool has_crashed() { return has_helper_crashed(); }
 
-  // Returns the operator's request. With --enable, homes and enables until an operator sends one.
-  [[nodiscard]] Request take_request(Controller& controller) const {
-    const Request commanded = parts_.queue.before_tick(controller);
-    const bool is_automatic = enable_ && !parts_.queue.is_operated();
-    return is_automatic ? request_toward_active(controller.mode()) : commanded;
+  // Takes the operators' requests. With --enable, homes and enables all devices until an operator
+  // sends one.
+  void take_requests(Controller& controller, std::span<Request> requests) const {
+    for (std::size_t i = 0; i < requests.size(); ++i) {
+      requests[i] = parts_.devices[i]->queue().before_tick(controller);
+    }
+    const bool is_operated = std::ranges::any_of(
+        parts_.devices, [](RunDevice* device) { return device->queue().is_operated(); });
+    if (enable_ && !is_operated) {
+      for (std::size_t i = 0; i < requests.size(); ++i) {
+        requests[i] = request_toward_active(controller.mode(i));
+      }
+    }
   }
 
   void publish(Controller& controller, const LoopTick& tick) {
-    parts_.queue.after_tick(controller);
-    parts_.telemetry.publish(controller, tick, *device_);
-    parts_.supervisor.note(controller.mode());
+    // The flight recorder gets the first device's tick after those of the others.
+    for (std::size_t i = parts_.devices.size(); i > 0; --i) {
+      parts_.devices[i - 1]->publish(controller, tick);
+      modes_[i - 1] = controller.mode(i - 1);
+    }
+    parts_.supervisor.note(std::span(modes_).first(parts_.devices.size()));
   }
 
  private:
   Parts parts_;
-  const drivers::ComposedDevice* device_;
   bool enable_;
+  std::array<Mode, rendering::kMaxTools> modes_{};
 };
 
 }  // namespace tactus::firmware

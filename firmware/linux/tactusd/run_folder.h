@@ -1,16 +1,25 @@
-// The folder of the command socket and the stop socket.
+// The folders that hold the sockets of a run: that of the command line for the first device, and
+// one in it for each further device, 2 and so on.
 #pragma once
 
+#include <array>
+#include <cstddef>
+
 #include "firmware/linux/tactusd/exclusive_use.h"
+#include "firmware/linux/tactusd/messages.h"
 #include "firmware/linux/tactusd/options.h"
 
 namespace tactus::firmware {
 
-// Returns the folder of the sockets.
-const char* run_folder(const Options& options);
+// A path, ended by a zero.
+using FolderPath = std::array<char, kMaxMessage>;
 
-// Claims the folder of the sockets. Creates the default folder if it may, because no program must
-// run without the stop socket. Returns false after it has printed why to stderr.
+// Returns the folder of the sockets of the device of that number, 0 for the first.
+FolderPath run_folder(const Options& options, std::size_t device);
+
+// Claims the folder of the sockets, and makes those of further devices, with its group and rights.
+// Creates the default folder if it may, because no program must run without the stop socket.
+// Returns false after it has printed why to stderr.
 bool take_run_folder(const Options& options, ExclusiveUse& exclusive_use);
 
 }  // namespace tactus::firmware

@@ -1,5 +1,6 @@
 #include "firmware/linux/tactusd/run_telemetry.h"
 
+#include <algorithm>
 #include <cinttypes>
 #include <cstdio>
 #include <cstring>
@@ -34,27 +35,49 @@ bool succeeds(const char* what, int failed) {
 
 }  // namespace
 
-bool RunTelemetry::start(const Options& options, const RunImages& images, std::size_t joints) {
+bool RunTelemetry::start(const Options& options, std::size_t device, const RunImages& images,
+                         std::size_t joints) {
+  device_ = device;
+  rate_hz_ = images.config.rate_hz;
+  explanations_.set_device(device);
   describe(options, images, joints);
   attach(images);
-  if (!open_live_socket(options)) {
-    return false;
+  return open_live_socket(options) && open_udp(options, rate_hz_) && open_recording(options) &&
+         succeeds("no thread for telemetry", writer_.start());
+}
+
+bool RunTelemetry::open_udp(const Options& options, double rate_hz) {
+  if (options.udp_port == 0) {
+    return true;
   }
-  if (options.udp_port != 0) {
-    const auto every = static_cast<std::uint32_t>(images.config.rate_hz / kUdpRate_Hz);
-    if (!succeeds("--udp-json", writer_.open_udp(options.udp_port, every))) {
-      return false;
-    }
+  const auto port = static_cast<std::uint16_t>(options.udp_port + device_);
+  return succeeds("--udp-json",
+                  writer_.open_udp(port, static_cast<std::uint32_t>(rate_hz / kUdpRate_Hz)));
+}
+
+bool RunTelemetry::open_recording(const Options& options) {
+  if (options.record == nullptr) {
+    return true;
   }
-  if (options.record != nullptr && !succeeds(options.record, writer_.record(options.record))) {
-    return false;
+  const std::string_view path(options.record);
+  const std::size_t dot = std::min(path.rfind('.'), path.size());
+  const std::string_view stem = path.substr(0, dot);
+  const std::string_view ending = path.substr(dot);
+  if (device_ == 0) {
+    std::snprintf(record_.data(), record_.size(), "%s", options.record);
+  } else {
+    std::snprintf(record_.data(), record_.size(), "%.*s.%zu%.*s", length(stem), stem.data(),
+                  device_ + 1, length(ending), ending.data());
   }
-  return succeeds("no thread for telemetry", writer_.start()) &&
-         succeeds("no thread for the flight recorder",
-                  flight_.start({.folder = options.flight_dir,
-                                 .rate_hz = images.config.rate_hz,
-                                 .run = description_,
-                                 .images = images_}));
+  return succeeds(record_.data(), writer_.record(record_.data()));
+}
+
+FlightPlan RunTelemetry::flight_plan(const Options& options) const {
+  return {.folder = options.flight_dir,
+          .device = device_,
+          .rate_hz = rate_hz_,
+          .run = description_,
+          .images = std::span(images_).first(image_count_)};
 }
 
 template <class Write>
@@ -89,7 +112,8 @@ void RunTelemetry::describe(const Options& options, const RunImages& images, std
              std::strftime(written.data(), written.size(), "%Y-%m-%dT%H:%M:%SZ", &utc);
          text.text({written.data(), size});
        }));
-  note("device.file", options.device);
+  note("device.file", options.devices[device_]);
+  describe_device(options);
   note(kDeviceChecksumKey, checksum(images.device));
   if (!images.scene.empty()) {
     note(kSceneFileKey, options.scene);
@@ -101,8 +125,14 @@ void RunTelemetry::describe(const Options& options, const RunImages& images, std
   writer_.describe(description_);
 }
 
+void RunTelemetry::describe_device(const Options& options) {
+  if (options.device_count > 1) {
+    note(kDeviceNumberKey, keep([&](TextBuffer& text) { text.number(device_ + 1); }));
+    note(kDeviceCountKey, keep([&](TextBuffer& text) { text.number(options.device_count); }));
+  }
+}
+
 void RunTelemetry::attach(const RunImages& images) {
-  std::size_t count = 0;
   const std::size_t config_bytes = save_config(images.config, config_);
   for (const Attachment& image :
        {attachment_of(kConfigAttachment, std::span(config_).first(config_bytes)),
@@ -110,7 +140,7 @@ void RunTelemetry::attach(const RunImages& images) {
         attachment_of(kSceneAttachment, images.scene)}) {
     if (!image.bytes.empty()) {
       writer_.attach(image);
-      images_[count++] = image;
+      images_[image_count_++] = image;
     }
   }
 }
@@ -118,7 +148,7 @@ void RunTelemetry::attach(const RunImages& images) {
 bool RunTelemetry::open_live_socket(const Options& options) {
   std::array<char, 256> path{};
   TextBuffer text{std::span(path).first(path.size() - 1)};
-  text.text(run_folder(options)).text(kLiveSocketName);
+  text.text(run_folder(options, device_).data()).text(kLiveSocketName);
   const int failed = writer_.open_live_socket(path.data());
   if (failed == 0) {
     return true;
@@ -131,7 +161,7 @@ bool RunTelemetry::open_live_socket(const Options& options) {
 void RunTelemetry::publish(Controller& controller, const LoopTick& tick,
                            const drivers::ComposedDevice& device) {
   RecordedTick recorded{
-      .record = controller.record(),
+      .record = controller.record(device_),
       .loop = {.scheduled_ns = tick.scheduled_ns,
                .woke_ns = tick.woke_ns,
                .done_ns = tick.done_ns,
@@ -142,15 +172,18 @@ void RunTelemetry::publish(Controller& controller, const LoopTick& tick,
     recorded.shaft_rad[i] = device.encoder_sample(i).position_rad;
     recorded.torque_Nm[i] = device.commanded_torque_Nm(i);
   }
-  flight_.add(recorded, controller);
+  if (companion_ != nullptr) {
+    companion_->ticks.add(recorded);
+  } else if (sinks_.flight != nullptr) {
+    sinks_.flight->add(recorded, controller);
+  }
   writer_.publish(recorded);
   explanations_.after_tick(controller, tick.scheduled_ns, writer_);
 }
 
-void RunTelemetry::stop(const Options& options) {
-  flight_.stop();
+void RunTelemetry::stop() {
   const int failed = writer_.stop();
-  const char* const record = options.record != nullptr ? options.record : "recording";
+  const char* const record = record_.front() != '\0' ? record_.data() : "recording";
   if (failed != 0) {
     std::fprintf(stderr, "tactusd: %s: ended early: %s; what came before is in it\n", record,
                  std::strerror(failed));

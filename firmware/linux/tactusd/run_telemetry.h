@@ -1,5 +1,5 @@
-// The telemetry of a run of tactusd, as the command line asks for it: the recording, the flight
-// recorder, the live socket and the JSON datagrams for PlotJuggler.
+// The telemetry of a device in a run of tactusd, as the command line asks for it: the recording,
+// the flight recorder, the live socket and the JSON datagrams for PlotJuggler.
 #pragma once
 
 #include <array>
@@ -13,6 +13,7 @@
 #include "firmware/linux/commands/telemetry_hooks.h"
 #include "firmware/linux/flight/flight_writer.h"
 #include "firmware/linux/realtime/loop_timing.h"
+#include "firmware/linux/tactusd/messages.h"
 #include "firmware/linux/tactusd/options.h"
 #include "firmware/linux/telemetry/explanation_source.h"
 #include "firmware/linux/telemetry/telemetry_writer.h"
@@ -20,7 +21,7 @@
 
 namespace tactus::firmware {
 
-// The inputs of the run, for its recordings. They must outlive the telemetry.
+// The inputs of the device's run, for its recordings. They must outlive the telemetry.
 struct RunImages {
   // The controller's configuration.
   const ControllerConfig& config;
@@ -30,7 +31,7 @@ struct RunImages {
   std::span<const std::byte> scene;
 };
 
-// The outputs of one run, in static storage.
+// The outputs of one device, in static storage.
 class RunTelemetry {
  public:
   RunTelemetry() = default;
@@ -38,25 +39,37 @@ class RunTelemetry {
   RunTelemetry& operator=(const RunTelemetry&) = delete;
   ~RunTelemetry() = default;
 
-  // Opens the outputs and starts the thread. Call before the calling thread becomes a real-time
-  // thread. Returns false after it has printed why to stderr.
-  bool start(const Options& options, const RunImages& images, std::size_t joints);
+  // Opens the outputs of the device of that number, 0 for the first, and starts the thread. Call
+  // before the calling thread becomes a real-time thread. Returns false after it has printed why to
+  // stderr.
+  bool start(const Options& options, std::size_t device, const RunImages& images,
+             std::size_t joints);
 
-  // Publishes the tick that has ended. Real time: for the loop's thread.
+  // Returns the content of the device's flight files, after start().
+  [[nodiscard]] FlightPlan flight_plan(const Options& options) const;
+  // Gives the ticks to the flight recorder: those of the first device to its writer, those of
+  // another one to its companion. Call before the loop starts.
+  void fly(FlightWriter& writer) { sinks_.flight = &writer; }
+  void fly(FlightCompanion& companion) { companion_ = &companion; }
+  // Lets changes of the scene reach the telemetry of the other devices; for the first one.
+  void tell(std::span<TelemetryWriter* const> companions) { sinks_.companions = companions; }
+
+  // Publishes the device's tick that has ended. Real time: for the loop's thread.
   void publish(Controller& controller, const LoopTick& tick, const drivers::ComposedDevice& device);
 
   // Ends the outputs after the loop. Prints to stderr how much is missing from the recording, if
   // anything is.
-  void stop(const Options& options);
+  void stop();
 
   // Returns the writers that commands may switch while the loop runs.
   TelemetrySinks& sinks() { return sinks_; }
-  // Asks the flight recorder to write its last seconds. May be called from a signal handler.
-  void ask_for_flight() { flight_.ask(); }
+  [[nodiscard]] TelemetryWriter& writer() { return writer_; }
 
  private:
   // Makes the metadata of the recordings.
   void describe(const Options& options, const RunImages& images, std::size_t joints);
+  // Notes which of the devices this one is, if there are several.
+  void describe_device(const Options& options);
   // Attaches images and configuration to the recordings.
   void attach(const RunImages& images);
   // Adds an entry of the metadata. Both texts must stay.
@@ -64,14 +77,24 @@ class RunTelemetry {
   // Copies the text that `write` adds to the buffer into `memory_` and returns a view of it.
   template <class Write>
   std::string_view keep(Write write);
-  // Opens the live socket. Returns false after it has printed why to stderr.
-  bool open_live_socket(const Options& options);
+  // These return false after they have printed why to stderr.
 
+  bool open_live_socket(const Options& options);
+  bool open_udp(const Options& options, double rate_hz);
+  bool open_recording(const Options& options);
+
+  // The number of the device, 0 for the first.
+  std::size_t device_ = 0;
   TelemetryWriter writer_;
   ExplanationSource explanations_;
-  FlightWriter flight_;
-  TelemetrySinks sinks_{.writer = &writer_, .flight = &flight_};
+  // Null but for devices beyond the first.
+  FlightCompanion* companion_ = nullptr;
+  TelemetrySinks sinks_{.writer = &writer_};
+  // The path of the recording; empty: none.
+  std::array<char, kMaxMessage> record_{};
+  double rate_hz_ = 0.0;
   std::array<Attachment, 3> images_{};
+  std::size_t image_count_ = 0;
   RunDescription description_;
   std::array<std::byte, kMaxConfigBytes> config_{};
   // The texts of the metadata that are made here.

@@ -17,15 +17,18 @@ static_assert(std::atomic<std::uint64_t>::is_always_lock_free);
 
 }  // namespace
 
-int Supervisor::start(const ServiceNotice& notice) {
+int Supervisor::start(const ServiceNotice& notice, std::size_t devices) {
   notice_ = &notice;
+  devices_ = devices;
   watchdog_period_ns_ = ServiceNotice::watchdog_period();
   return thread_.start(
       "tactus-tells", [](void* self) { static_cast<Supervisor*>(self)->run(); }, this);
 }
 
-void Supervisor::note(Mode mode) {
-  modes_.note(mode);
+void Supervisor::note(std::span<const Mode> modes) {
+  for (std::size_t i = 0; i < modes.size(); ++i) {
+    modes_[i].note(modes[i]);
+  }
   ticks_.store(ticks_.load(std::memory_order_relaxed) + 1, std::memory_order_relaxed);
 }
 
@@ -47,9 +50,16 @@ void Supervisor::run() {
 }
 
 void Supervisor::print_modes() {
-  while (const auto mode = modes_.next()) {
-    const std::string_view name = mode_name(*mode);
-    std::fprintf(stderr, "tactusd: %.*s\n", static_cast<int>(name.size()), name.data());
+  for (std::size_t i = 0; i < devices_; ++i) {
+    std::array<char, 32> device{};
+    if (devices_ > 1) {
+      std::snprintf(device.data(), device.size(), "device %zu: ", i + 1);
+    }
+    while (const auto mode = modes_[i].next()) {
+      const std::string_view name = mode_name(*mode);
+      std::fprintf(stderr, "tactusd: %s%.*s\n", device.data(), static_cast<int>(name.size()),
+                   name.data());
+    }
   }
 }
 

@@ -5,7 +5,8 @@ namespace tactus::firmware {
 void ExplanationSource::publish(const Controller& controller, std::int64_t due_ns,
                                 TelemetryWriter& writer) {
   if (is_on_) {
-    writer.publish(explainer_.finish(controller.record(), due_ns, controller.tool_radius_m()));
+    writer.publish(
+        explainer_.finish(controller.record(device_), due_ns, controller.tool_radius_m()));
   }
 }
 
@@ -13,7 +14,7 @@ void ExplanationSource::turn(Controller& controller, bool on) {
   if (on) {
     explainer_.begin(controller.clock());
   }
-  controller.watch(on ? &explainer_ : nullptr);
+  controller.watch(on ? &explainer_ : nullptr, device_);
   is_on_ = on;
 }
 

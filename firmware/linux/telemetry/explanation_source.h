@@ -1,6 +1,7 @@
 // Explains the ticks of a loop while a reader of the live telemetry wants it. The loop's thread.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 
 #include "firmware/control/controller.h"
@@ -9,9 +10,13 @@
 
 namespace tactus::firmware {
 
-// The explanations of one controller, which has no other watcher.
+// The explanations of one device of a controller, which has no other watcher of it.
 class ExplanationSource {
  public:
+  // Explains the ticks of the device of that number, 0 for the first and by default. Call before
+  // the loop starts.
+  void set_device(std::size_t device) { device_ = device; }
+
   // Publishes the explanation of the tick that has ended, and decides whether the next one is
   // watched. `due_ns` is LoopTimes::scheduled_ns of the tick. Real time: while nobody wants
   // explanations, it reads one flag and the tick computes nothing for them.
@@ -29,6 +34,7 @@ class ExplanationSource {
   // Begins or ends to watch the controller.
   void turn(Controller& controller, bool on);
 
+  std::size_t device_ = 0;
   TickExplainer explainer_;
   bool is_on_ = false;
 };

@@ -102,7 +102,7 @@ class CommandServerTest : public ::testing::Test {
   std::unique_ptr<Controller> controller_ = std::make_unique<Controller>();
   std::unique_ptr<CommandQueue> queue_ = std::make_unique<CommandQueue>();
   std::unique_ptr<SceneStore> scenes_ = std::make_unique<SceneStore>();
-  std::unique_ptr<CommandServer> server_ = std::make_unique<CommandServer>(*queue_, *scenes_);
+  std::unique_ptr<CommandServer> server_ = std::make_unique<CommandServer>(*queue_, scenes_.get());
   std::atomic<bool> looping_{false};
   std::thread loop_;
 };

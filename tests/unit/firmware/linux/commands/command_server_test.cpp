@@ -43,7 +43,7 @@ TEST_F(CommandServerTest, AnUnknownGroupIsRefusedAtTheStart) {
 
 TEST_F(CommandServerTest, ASecondServerDoesNotTakeTheDoorAndADeadOneDoesNotHoldIt) {
   serve();
-  CommandServer second(*queue_, *scenes_);
+  CommandServer second(*queue_, scenes_.get());
   EXPECT_FALSE(second.start({.socket_path = socket_path_.c_str()}));
   server_->stop();
   {
@@ -73,6 +73,21 @@ TEST_F(CommandServerTest, RequestsAreAnsweredWithTheirTick) {
   EXPECT_FALSE(refused.is_ok);
   EXPECT_TRUE(refused.text.ends_with("the mode is fault (operator_stop); send reset first"))
       << refused.text;
+}
+
+TEST_F(CommandServerTest, AServerWithoutTheSceneRefusesItsObjectsAndServesItsDevice) {
+  server_ = std::make_unique<CommandServer>(*queue_, nullptr);
+  start();
+  const std::string words =
+      "the scene and its objects belong to the first device; send it there, without --device";
+  EXPECT_EQ(say("scene " + (folder_ / "left.tactus").string()), "refused scene: " + words);
+  EXPECT_EQ(say("set object.0.stiffness_N_per_m 250"), "refused set: " + words);
+  EXPECT_EQ(say("get object.left.stiffness_N_per_m"), "refused get: " + words);
+  EXPECT_TRUE(begins(say("set max_force_N 4"), "ok set tick="));
+  EXPECT_FALSE(host::field_of(say("status"), "scene"));
+  for (const std::string& line : Remote(folder_).send("list").lines) {
+    EXPECT_FALSE(line.contains("object.")) << line;
+  }
 }
 
 TEST_F(CommandServerTest, AnEstopIsHeardBeforeWhatItsProgramStillWaitsFor) {

@@ -146,7 +146,7 @@ class StopTest : public ::testing::Test {
   std::unique_ptr<Controller> controller_ = std::make_unique<Controller>();
   std::unique_ptr<CommandQueue> queue_ = std::make_unique<CommandQueue>();
   std::unique_ptr<SceneStore> scenes_ = std::make_unique<SceneStore>();
-  std::unique_ptr<CommandServer> server_ = std::make_unique<CommandServer>(*queue_, *scenes_);
+  std::unique_ptr<CommandServer> server_ = std::make_unique<CommandServer>(*queue_, scenes_.get());
   std::atomic<bool> looping_{true};
   std::atomic<bool> loading_{true};
   std::atomic<bool> recovers_{true};

@@ -53,7 +53,7 @@ class FlightRecorderTest : public ::testing::Test {
     EXPECT_TRUE(again->restore(window.state));
     RecordedTick recorded;
     std::uint64_t tick = window.first_tick;
-    for (; tick < window.end_tick && recorder_->read(tick, recorded); ++tick) {
+    for (; tick < window.end_tick && recorder_->ticks().read(tick, recorded); ++tick) {
       repeat_tick(*again, recorded.record);
       if (again->record().state_hash != recorded.record.state_hash) {
         break;
@@ -105,9 +105,9 @@ TEST_F(FlightRecorderTest, KeepsAStateThatIsHeldAndSaysWhichTicksAreGone) {
   run(end - kFlightTicks);
   EXPECT_TRUE(std::ranges::equal(state, window->state));
   RecordedTick record;
-  EXPECT_FALSE(recorder_->read(window->first_tick, record));
-  EXPECT_FALSE(recorder_->read(end, record)) << "a tick that was not yet";
-  ASSERT_TRUE(recorder_->read(end - 1, record));
+  EXPECT_FALSE(recorder_->ticks().read(window->first_tick, record));
+  EXPECT_FALSE(recorder_->ticks().read(end, record)) << "a tick that was not yet";
+  ASSERT_TRUE(recorder_->ticks().read(end - 1, record));
   EXPECT_EQ(record.record.tick, end - 1);
   const auto next = recorder_->hold();
   ASSERT_TRUE(next);
@@ -129,7 +129,7 @@ TEST_F(FlightRecorderTest, BeginsAnewWhereTheRunDoes) {
   ASSERT_TRUE(later);
   EXPECT_EQ(equal_ticks(*later), 49U);
   RecordedTick record;
-  EXPECT_FALSE(recorder_->read(later->first_tick - 2, record));
+  EXPECT_FALSE(recorder_->ticks().read(later->first_tick - 2, record));
 }
 
 TEST_F(FlightRecorderTest, IsCopiedOutWhileTheLoopGoesOn) {
@@ -149,7 +149,7 @@ TEST_F(FlightRecorderTest, IsCopiedOutWhileTheLoopGoesOn) {
     take_scene(*again);
     ASSERT_TRUE(again->restore(window->state));
     std::uint64_t tick = window->first_tick;
-    while (tick < window->end_tick && recorder_->read(tick, recorded)) {
+    while (tick < window->end_tick && recorder_->ticks().read(tick, recorded)) {
       ASSERT_EQ(recorded.record.tick, tick);
       repeat_tick(*again, recorded.record);
       ASSERT_EQ(again->record().state_hash, recorded.record.state_hash);

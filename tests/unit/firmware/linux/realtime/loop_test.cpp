@@ -25,10 +25,12 @@ class RunLoop : public ::testing::Test {
   template <class Hooks>
   LoopEnd run(const LoopConfig& config, Hooks& hooks) {
     timing_.set_period(config.phase.period_ns);
+    const std::array devices{&device_};
+    const std::array watchdogs{&watchdog_};
     return run_loop(
         config,
-        {.controller = controller_, .clock = clock_, .timing = timing_, .watchdog = watchdog_},
-        device_, hooks);
+        {.controller = controller_, .clock = clock_, .timing = timing_, .watchdogs = watchdogs},
+        std::span(devices), hooks);
   }
   auto hooks() {
     return testing::EnablingHooks([](std::size_t) {});

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "firmware/control/controller.h"
@@ -51,12 +52,12 @@ class EnablingHooks {
 
   [[nodiscard]] bool stopping() const { return seen.size() >= stop_at; }
   [[nodiscard]] bool has_crashed() const { return seen.size() >= crash_at; }
-  firmware::Request take_request(const firmware::Controller& controller) {
+  void take_requests(const firmware::Controller& controller,
+                     std::span<firmware::Request> requests) {
     in_tick_(seen.size());
-    const firmware::Mode mode = controller.mode();
-    return mode == firmware::Mode::init    ? firmware::Request::home
-           : mode == firmware::Mode::ready ? firmware::Request::enable
-                                           : firmware::Request::none;
+    for (std::size_t i = 0; i < requests.size(); ++i) {
+      requests[i] = firmware::request_toward_active(controller.mode(i));
+    }
   }
   void publish(const firmware::Controller& controller, const firmware::LoopTick& tick) {
     seen.push_back({tick, controller.mode(), controller.record().tick});

@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <array>
+
 #include "tests/unit/firmware/linux/realtime/notify_socket.h"
 
 namespace tactus::firmware {
@@ -16,7 +18,7 @@ TEST(Supervisor, TellsTheManagerOfTheFirstTickThenThatTicksComeThenOfTheEnd) {
   Supervisor supervisor;
   ASSERT_EQ(supervisor.start(notice), 0);
   unsetenv("WATCHDOG_USEC");
-  supervisor.note(Mode::init);
+  supervisor.note(std::array{Mode::init});
   EXPECT_EQ(manager.receive(), "READY=1\n");
   EXPECT_EQ(manager.receive(), "WATCHDOG=1\n");
   // Three periods of the watchdog without a tick: nothing is said to be alive.
@@ -33,11 +35,24 @@ TEST(Supervisor, TellsPeopleOfEveryModeInOrder) {
     ASSERT_EQ(supervisor.start(nobody), 0);
     for (const Mode mode : {Mode::init, Mode::homing, Mode::homing, Mode::ready, Mode::active,
                             Mode::active, Mode::fault}) {
-      supervisor.note(mode);
+      supervisor.note(std::array{mode});
     }
   }
   EXPECT_EQ(::testing::internal::GetCapturedStderr(),
             "tactusd: homing\ntactusd: ready\ntactusd: active\ntactusd: fault\n");
+}
+
+TEST(Supervisor, NamesTheDeviceWhereThereAreSeveral) {
+  const ServiceNotice nobody;
+  ::testing::internal::CaptureStderr();
+  {
+    Supervisor supervisor;
+    ASSERT_EQ(supervisor.start(nobody, 2), 0);
+    supervisor.note(std::array{Mode::init, Mode::homing});
+    supervisor.note(std::array{Mode::init, Mode::ready});
+  }
+  EXPECT_EQ(::testing::internal::GetCapturedStderr(),
+            "tactusd: device 2: homing\ntactusd: device 2: ready\n");
 }
 
 }  // namespace

@@ -1,182 +1,37 @@
 // The program tactusd itself before a board that keeps its torque.
-#include <fcntl.h>
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <array>
 #include <atomic>
 #include <csignal>
 #include <cstdio>
-#include <cstdlib>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
-#include <iterator>
-#include <memory>
 #include <mutex>
 #include <string>
 #include <thread>
 #include <vector>
 
 #include "firmware/linux/realtime/end_signals.h"
-#include "hal/linux/system.h"
 #include "host_tools/remote/remote.h"
-#include "tests/support/paths.h"
-#include "tests/support/run_program.h"
-#include "tests/unit/firmware/linux/tactusd/keeping_board.h"
+#include "tests/unit/firmware/linux/tactusd/tactusd_bench.h"
 
 namespace tactus::firmware {
 namespace {
 
 namespace fs = std::filesystem;
-using testing::KeepingBoard;
-
-constexpr double kPatience_s = 4.0;
-// A busy machine keeps a board from answering in time, which is a fault before there is torque.
-constexpr int kTries = 10;
-
-// A wall above the tool's home; the hand pushes 5 mm into it.
-constexpr std::string_view kScene = R"([tool]
-radius_m = 0.002
-[[object]]
-name = "wall"
-primitive = "box"
-size_m = [0.2, 0.2, 0.1]
-position_m = [0.0, 0.0, 0.055]
-stiffness_N_per_m = 150.0
-)";
-
-std::string device_text(const std::string& port) {
-  // Slow ticks: a busy machine is late for none.
-  return "name = \"Haply\"\n[mechanism]\nkind = \"haply_pantograph\"\n[controller]\nrate_hz = "
-         "200\nmax_sample_age_us = 200000\n"
-         "[[connection]]\nname = \"usb\"\nkind = \"haply_serial\"\nport = \"" +
-         port +
-         "\"\nunproven_watchdog = true\n[[axis]]\nname = \"m1\"\ndriver = "
-         "\"haply_serial\"\nconnection = \"usb\"\nnumber = "
-         "0\n"
-         "[[axis]]\nname = \"m2\"\ndriver = \"haply_serial\"\nconnection = \"usb\"\nnumber = 1\n"
-         "[[joint]]\nname = \"left\"\nmotor = \"m1\"\nreference = \"known_pose\"\nreference_rad = "
-         "2.55406\n[[joint]]\nname = \"right\"\nmotor = "
-         "\"m2\"\nreference = \"known_pose\"\nreference_rad = 0\n";
-}
-
-std::string text_of(const fs::path& path) {
-  std::ifstream file(path);
-  std::string text;
-  for (std::string line; std::getline(file, line);) {
-    text += line + '\n';
-  }
-  return text;
-}
-
-// A folder with a board, images and what tactusd says.
-class Bench {
- public:
-  Bench() {
-    std::string pattern = (fs::temp_directory_path() / "tactusd-XXXXXX").string();
-    EXPECT_NE(::mkdtemp(pattern.data()), nullptr);
-    folder_ = pattern;
-    std::ofstream(folder_ / "device.toml") << device_text(board_.port());
-    std::ofstream(folder_ / "scene.toml") << kScene;
-    const auto device = testing::run_program(folder_, "bake --quiet device.toml");
-    EXPECT_EQ(device.exit_code, 0) << device.output;
-    const auto scene = testing::run_program(folder_, "bake --quiet scene.toml");
-    EXPECT_EQ(scene.exit_code, 0) << scene.output;
-  }
-  Bench(const Bench&) = delete;
-  Bench& operator=(const Bench&) = delete;
-  ~Bench() {
-    for (const pid_t process : started_) {
-      // One that a test has waited for is nobody's child any more.
-      if (::waitpid(process, nullptr, WNOHANG) == 0) {
-        ::kill(process, SIGKILL);
-        ::waitpid(process, nullptr, 0);
-      }
-    }
-    fs::remove_all(folder_);
-  }
-
-  // The program's process; it has its own session, so that no terminal and no group is disturbed.
-  [[nodiscard]] pid_t start(const std::string& log, const fs::path& run_dir) const {
-    const std::string file = (folder_ / log).string();
-    const std::string folder = run_dir.string();
-    const std::string program = testing::built_program("tactusd");
-    const pid_t child = ::fork();
-    if (child == 0) {
-      ::setsid();
-      const int out = ::open(file.c_str(), O_CREAT | O_WRONLY | O_TRUNC, 0600);
-      ::dup2(out, STDERR_FILENO);
-      if (::chdir(folder_.c_str()) == 0) {
-        ::execl(program.c_str(), "tactusd", "device.tactus", "scene.tactus", "--enable",
-                "--allow-uncommissioned", "--allow-non-realtime", "--run-dir", folder.c_str(),
-                nullptr);
-      }
-      ::_exit(127);
-    }
-    started_.push_back(child);
-    return child;
-  }
-  [[nodiscard]] pid_t start() const { return start("log", folder_); }
-
-  [[nodiscard]] const fs::path& folder() const { return folder_; }
-  [[nodiscard]] const KeepingBoard& board() const { return board_; }
-  [[nodiscard]] std::string log(const std::string& name = "log") const {
-    std::string status;
-    try {
-      status = host::Remote(folder_).send("status").text;
-    } catch (const host::UnreachableError& error) {
-      status = error.what();
-    }
-    return text_of(folder_ / name) + status;
-  }
-
- private:
-  KeepingBoard board_;
-  fs::path folder_;
-  mutable std::vector<pid_t> started_;
-};
-
-// The status of waitpid, or -1 after the time: then it is killed.
-int wait_for_end(pid_t process) {
-  int status = 0;
-  for (int i = 0; i < 1000; ++i) {
-    if (::waitpid(process, &status, WNOHANG) == process) {
-      return status;
-    }
-    ::usleep(10'000);
-  }
-  ::kill(process, SIGKILL);
-  ::waitpid(process, &status, 0);
-  return -1;
-}
+using testing::start_pushing;
+using testing::TactusdBench;
+using testing::wait_for_end;
 
 struct AfterSignal {
   double before_Nm = 0.0;
   int status = -1;
   double torque_Nm = -1.0;
 };
-
-// A bench whose board pushes, with the program's process.
-struct Pushing {
-  std::unique_ptr<Bench> bench;
-  pid_t process = 0;
-};
-
-Pushing start_pushing() {
-  Pushing pushing;
-  for (int i = 0; i < kTries; ++i) {
-    pushing.bench = std::make_unique<Bench>();
-    pushing.process = pushing.bench->start();
-    if (pushing.bench->board().pushes_within(kPatience_s)) {
-      return pushing;
-    }
-  }
-  ADD_FAILURE() << "no torque: " << pushing.bench->log();
-  return pushing;
-}
 
 AfterSignal send_while_pushing(int signal) {
   const auto [bench, process] = start_pushing();
@@ -244,7 +99,7 @@ TEST(TactusdSignals, ACrashLeavesNoTorqueAndKeepsItsSignal) {
 
 TEST(TactusdSignals, TheOthersLeaveItAtWork) {
   const auto [held, process] = start_pushing();
-  const Bench& bench = *held;
+  const TactusdBench& bench = *held;
   for (const SignalReaction reaction :
        {SignalReaction::ignore, SignalReaction::harmless, SignalReaction::flight}) {
     for (const int signal : signals_that(reaction)) {
@@ -261,7 +116,7 @@ TEST(TactusdSignals, TheOthersLeaveItAtWork) {
 
 TEST(TactusdSecond, DoesNotStartOnTheSameRunFolderOrTheSamePort) {
   const auto [held, first] = start_pushing();
-  const Bench& bench = *held;
+  const TactusdBench& bench = *held;
   const std::string holder = "process " + std::to_string(first);
 
   const int same_folder = wait_for_end(bench.start("second", bench.folder()));
@@ -283,7 +138,7 @@ TEST(TactusdSecond, DoesNotStartOnTheSameRunFolderOrTheSamePort) {
 }
 
 TEST(TactusdSecond, DoesNotStartWithoutAFolderForItsStop) {
-  const Bench bench;
+  const TactusdBench bench;
   const int status = wait_for_end(bench.start("log", bench.folder() / "none"));
   EXPECT_EQ(WEXITSTATUS(status), 2);
   EXPECT_NE(bench.log().find("no such folder"), std::string::npos) << bench.log();
@@ -292,7 +147,7 @@ TEST(TactusdSecond, DoesNotStartWithoutAFolderForItsStop) {
 // Each in place: the file keeps its inode, as with cp or an editor.
 TEST(TactusdImages, LiveOnWhateverHappensToTheirFiles) {
   const auto [held, process] = start_pushing();
-  const Bench& bench = *held;
+  const TactusdBench& bench = *held;
   for (const char* name : {"scene.tactus", "device.tactus"}) {
     const fs::path path = bench.folder() / name;
     {
@@ -313,7 +168,7 @@ TEST(TactusdImages, LiveOnWhateverHappensToTheirFiles) {
 
 TEST(TactusdImages, FromAPipeOrTooLargeAreRefusedAtOnceAndTheStopIsHeard) {
   const auto [held, process] = start_pushing();
-  const Bench& bench = *held;
+  const TactusdBench& bench = *held;
   host::Remote remote(bench.folder());
   EXPECT_TRUE(host::send_stop(bench.folder()).is_ok);
   ASSERT_EQ(::mkfifo((bench.folder() / "pipe").c_str(), 0600), 0);

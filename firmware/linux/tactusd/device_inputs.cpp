@@ -1,4 +1,4 @@
-#include "firmware/linux/tactusd/run_inputs.h"
+#include "firmware/linux/tactusd/device_inputs.h"
 
 #include <algorithm>
 #include <array>
@@ -11,7 +11,6 @@
 #include "firmware/device_file/device_checks.h"
 #include "firmware/device_file/device_commissioning.h"
 #include "firmware/device_file/homing_words.h"
-#include "rendering/scene/scene_world.h"
 
 namespace tactus::firmware {
 namespace {
@@ -35,14 +34,6 @@ bool copy(hal::ImageSlot& slot, const char* path) {
   return !error.is_error();
 }
 
-// Prints why the controller has refused the scene.
-void tell_refusal(const char* path, const rendering::SceneImage& scene,
-                  const SceneRefusal& refusal) {
-  std::array<char, kMaxMessage> room{};
-  const std::string_view words = refusal_words(refusal, names_of(refusal.part, scene), room);
-  std::fprintf(stderr, "tactusd: %s: %.*s\n", path, length(words), words.data());
-}
-
 // The certificate was measured at the device's own rate, which its checksum covers. A wall that is
 // held at that rate may not be held at a slower one; at a faster one it is held at least as well,
 // because each force is held for less time and the delay, in ticks, is shorter.
@@ -53,7 +44,7 @@ bool is_slower_than_certified(const Options& options, const DeviceConfig& config
 
 // Checks the rate given by --rate as baking checks the device's own rate. Returns false after it
 // has printed why to stderr.
-bool can_keep_rate(const Options& options, const DeviceConfig& config) {
+bool can_keep_rate(const Options& options, const char* path, const DeviceConfig& config) {
   Words words;
   const Verdict verdict = check_rates(config, words);
   if (!verdict) {
@@ -61,18 +52,17 @@ bool can_keep_rate(const Options& options, const DeviceConfig& config) {
     const std::string_view name = refusal.place == Place::axis
                                       ? config.axes[refusal.index].name
                                       : config.connections[refusal.index].name;
-    std::fprintf(stderr, "tactusd: %s: --rate %g: '%.*s': %.*s%s%.*s\n", options.device,
-                 options.rate_hz, length(name), name.data(), length(refusal.key),
-                 refusal.key.data(), refusal.key.empty() ? "" : " ", length(refusal.rule),
-                 refusal.rule.data());
+    std::fprintf(stderr, "tactusd: %s: --rate %g: '%.*s': %.*s%s%.*s\n", path, options.rate_hz,
+                 length(name), name.data(), length(refusal.key), refusal.key.data(),
+                 refusal.key.empty() ? "" : " ", length(refusal.rule), refusal.rule.data());
   }
   return verdict.has_value();
 }
 
 }  // namespace
 
-bool RunInputs::load_device(const Options& options, Controller& controller) {
-  if (!copy(device_file_, options.device)) {
+bool DeviceInputs::read_image(const Options& options, const char* path) {
+  if (!copy(device_file_, path)) {
     return false;
   }
   auto outcome = open_device_image(device_file_.bytes(), sections_);
@@ -81,9 +71,8 @@ bool RunInputs::load_device(const Options& options, Controller& controller) {
   }
   if (!outcome) {
     const DeviceError& error = outcome.error();
-    std::fprintf(stderr, "tactusd: %s: %.*s%s%.*s\n", options.device, length(error.key),
-                 error.key.data(), error.key.empty() ? "" : " ", length(error.what),
-                 error.what.data());
+    std::fprintf(stderr, "tactusd: %s: %.*s%s%.*s\n", path, length(error.key), error.key.data(),
+                 error.key.empty() ? "" : " ", length(error.what), error.what.data());
     return false;
   }
   if (is_slower_than_certified(options, config_)) {
@@ -91,72 +80,57 @@ bool RunInputs::load_device(const Options& options, Controller& controller) {
                  "tactusd: %s: the device is certified at %g Hz, and --rate %g is slower; leave "
                  "--rate out, or set rate_hz = %g under [controller], then tactus certify and "
                  "tactus bake, or take the risk with --allow-uncertified\n",
-                 options.device, config_.controller.rate_hz, options.rate_hz, options.rate_hz);
+                 path, config_.controller.rate_hz, options.rate_hz, options.rate_hz);
     return false;
   }
   if (options.rate_hz > 0.0) {
     config_.controller.rate_hz = options.rate_hz;
-    if (!can_keep_rate(options, config_)) {
-      return false;
-    }
+    return can_keep_rate(options, path, config_);
   }
+  return true;
+}
+
+bool DeviceInputs::take_proofs(const Options& options, const char* path) {
   std::array<char, kMaxMessage> words{};
   if (const auto warning = certificate_warning(config_.certification, words); !warning.empty()) {
-    std::fprintf(stderr, "tactusd: %s: warning: %.*s\n", options.device, length(warning),
-                 warning.data());
+    std::fprintf(stderr, "tactusd: %s: warning: %.*s\n", path, length(warning), warning.data());
   }
   const std::string_view refusal = commissioning_refusal(config_.commissioning);
   if (!refusal.empty()) {
-    std::fprintf(stderr, "tactusd: %s: %s%.*s\n", options.device,
+    std::fprintf(stderr, "tactusd: %s: %s%.*s\n", path,
                  options.allow_uncommissioned ? "warning: " : "", length(refusal), refusal.data());
   }
   if (!options.allow_uncommissioned) {
     enable_refusal_ = refusal;
-    if (options.enable && !refusal.empty()) {
-      return false;
-    }
+    return !options.enable || refusal.empty();
+  }
+  return true;
+}
+
+bool DeviceInputs::load(const Options& options, std::size_t number, Controller& controller) {
+  const char* const path = options.devices[number];
+  if (!read_image(options, path) || !take_proofs(options, path)) {
+    return false;
   }
   homing_hint_.clear();
   add_homing_words(config_, homing_hint_);
   config_.controller.allow_uncertified = options.allow_uncertified;
-  const auto valid = controller.configure(config_.controller);
+  const auto valid = controller.configure(config_.controller, number);
   if (!valid) {
     const ConfigError& error = valid.error();
     // The image was found valid at the device's own rate, but for the certificate.
-    std::fprintf(stderr, "tactusd: %s: %.*s is %g, not in %g to %g; %s\n", options.device,
+    std::fprintf(stderr, "tactusd: %s: %.*s is %g, not in %g to %g; %s\n", path,
                  length(error.field), error.field.data(), error.value, error.least, error.greatest,
                  error.field.starts_with("safety.workspace")
                      ? "lower it, then tactus certify and tactus bake, or take the risk with "
                        "--allow-uncertified"
                      : "give another --rate");
-  }
-  return valid.has_value();
-}
-
-bool RunInputs::load_scene(const Options& options, Controller& controller) {
-  scenes_.set_room(options.scene_memory_bytes);
-  if (options.scene == nullptr) {
-    return true;
-  }
-  const auto opened = scenes_.open_next(options.scene);
-  if (!opened) {
-    const SceneStoreError& error = opened.error();
-    std::fprintf(stderr, "tactusd: %s: %.*s%s%s\n", options.scene, length(error.what),
-                 error.what.data(), error.errno_value != 0 ? ": " : "",
-                 error.errno_value != 0 ? std::strerror(error.errno_value) : "");
     return false;
   }
-  const rendering::SceneImage& scene = **opened;
-  const auto loaded = controller.load_scene(scene.objects(), rendering::world_of(scene));
-  if (!loaded) {
-    tell_refusal(options.scene, scene, loaded.error());
-    return false;
-  }
-  scenes_.use_next();
-  return true;
+  return load_falcon_firmware();
 }
 
-bool RunInputs::load_falcon_firmware() {
+bool DeviceInputs::load_falcon_firmware() {
   const std::string_view file = board_firmware_file(config_);
   if (file.empty()) {
     return true;
