@@ -1,4 +1,4 @@
-// `tactus sim --serve`: the simulated device in wall-clock time, behind the same sockets as
+// `tactus sim --serve`: the simulated devices in wall-clock time, behind the same sockets as
 // tactusd.
 #pragma once
 
@@ -11,15 +11,17 @@ namespace tactus::host {
 
 // How the simulation is served.
 struct ServeOptions {
-  // The folder of the sockets; it is made if it is not there.
+  // The folder of the first device's sockets, which is made if it is not there; that of the second
+  // is 2 in it.
   std::filesystem::path run_dir;
   // True if `tactus inject` may raise faults.
   bool allow_inject = false;
-  // A file that records the run from its first tick; empty: none.
+  // A file that records the run of the first device from its first tick, and run.2.mcap beside
+  // run.mcap that of the second; empty: none.
   std::string record;
 };
 
-// Serves until SIGINT or SIGTERM, or for `run.seconds`. The hand repeats its path to and fro;
+// Serves until SIGINT or SIGTERM, or for `run.seconds`. Each hand repeats its path to and fro;
 // homing and enabling are left to the user's commands. Throws InputError.
 void serve_simulation(const std::filesystem::path& scene, const RunOptions& run,
                       const ServeOptions& options);

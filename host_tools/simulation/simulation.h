@@ -6,14 +6,18 @@
 // construction only.
 #pragma once
 
+#include <array>
 #include <cstddef>
+#include <optional>
 #include <span>
+#include <type_traits>
 #include <vector>
 
 #include "firmware/control/controller.h"
 #include "firmware/control/run_tick.h"
 #include "host_tools/heap_controller.h"
 #include "host_tools/simulation/held_device.h"
+#include "rendering/limits.h"
 #include "rendering/objects/object.h"
 #include "rendering/world/world.h"
 
@@ -36,13 +40,19 @@ class Simulation {
   // advances devices and hands to the next tick.
   void tick();
 
-  // Makes one tick of a simulation with one device, with that request alone, and with the device
-  // that `between(device)` returns in the device's place. The planned faults and requests are left
-  // out.
+  // Makes one tick with these requests alone, one for each device, and with what
+  // `between(device, number)` returns in each device's place. The planned faults and requests are
+  // left out.
   template <class Between>
-  void tick(firmware::Request request, Between&& between) {
-    auto&& device = between(held_.front().device());
-    firmware::run_tick(*controller_, device, request);
+  void tick(std::span<const firmware::Request> requests, Between&& between) {
+    using Device = std::decay_t<decltype(between(held_.front().device(), std::size_t{0}))>;
+    std::array<std::optional<Device>, rendering::kMaxTools> devices;
+    std::array<Device*, rendering::kMaxTools> places{};
+    for (std::size_t i = 0; i < held_.size(); ++i) {
+      places[i] = &devices[i].emplace(between(held_[i].device(), i));
+    }
+    firmware::run_tick(*controller_, std::span<Device* const>(places).first(held_.size()),
+                       requests);
     advance();
   }
 

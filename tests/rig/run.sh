@@ -83,6 +83,12 @@ awk -F, -v OFS=, 'NR > 1 && $1 > 0 { $1 += 2 } { print }' "$images/wall_wish.csv
 for device in "$images"/*_arm.toml "$images"/{falcon,hapkit}.toml; do
   "$build/bin/tactus" bake --quiet "$device" -o "${device%.toml}.tactus"
 done
+# Three arms on one bus: drives with numbers of their own, which send their positions when asked, so that there is room for all.
+for arm in 1 2 3; do
+  awk -v first=$((3 * arm - 3)) '/^node_id/ { $3 += first; print; print "estimates = \"requested\""; next } { print }' "$images/odrive_arm.toml" |
+    sed -e "s/^rate_hz = .*/rate_hz = 200/" >"$images/arm_$arm.toml"
+  "$build/bin/tactus" bake --quiet "$images/arm_$arm.toml" -o "$images/arm_$arm.tactus"
+done
 # The loop that is measured does not wait long for a drive's message.
 sed '0,/^name = .*/s//&\nread_limit_s = 0.00005/' "$images/odrive_arm.toml" >"$images/odrive_loop.toml"
 "$build/bin/tactus" bake --quiet "$images/odrive_loop.toml" -o "$images/odrive_loop.tactus"

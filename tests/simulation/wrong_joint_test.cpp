@@ -110,7 +110,7 @@ PressOutcome outcome_of(const Press& press) {
     const auto request = mode == firmware::Mode::init    ? firmware::Request::home
                          : mode == firmware::Mode::ready ? firmware::Request::enable
                                                          : firmware::Request::none;
-    simulation.tick(request, [&](host::SimulatedDevice& device) {
+    simulation.tick({&request, 1}, [&](host::SimulatedDevice& device, std::size_t /*number*/) {
       return WrongDevice{device, press.joints, press.wrong, homed.position};
     });
     const double force_N = simulation.device().motor_force_B().norm();

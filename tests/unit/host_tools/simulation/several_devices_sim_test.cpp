@@ -68,7 +68,6 @@ TEST_F(SeveralDevicesSimTest, RefusesWhatDoesNotGoTogether) {
             std::string::npos);
   EXPECT_NE(sim("--hand pen --hand pen", 2).find("give one for each path"), std::string::npos);
   EXPECT_NE(sim("--fault 3:estop@1", 2).find("there are 2 devices"), std::string::npos);
-  EXPECT_NE(sim("--serve --run-dir .", 2).find("one device only"), std::string::npos);
   EXPECT_NE(sim("--seconds 0.1 -o /dev/stdout", 2).find("name a file"), std::string::npos);
   EXPECT_FALSE(std::filesystem::exists(file("run.csv")));
 }
