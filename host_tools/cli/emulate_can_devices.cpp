@@ -25,6 +25,7 @@ struct CanDeviceOptions {
   std::vector<unsigned> nodes;
   std::string firmware = "0.6";
   std::string encoder = "incremental";
+  unsigned encoder_ms = 1;
   int timeout_mode = 12;
   double max_torque_Nm = 1.0;
   double counts_per_turn = 4096.0;
@@ -63,6 +64,7 @@ void emulate_odrive(const CanDeviceOptions& options) {
                     ODriveEmulatorConfig{.node_id = node,
                                          .encoder = encoder,
                                          .firmware = firmware,
+                                         .encoder_ms = options.encoder_ms,
                                          .max_torque_Nm = options.max_torque_Nm});
               });
 }
@@ -162,6 +164,11 @@ void add_emulated_can_devices(CLI::App& emulate) {
                   "0.5.2, 0.5.4, 0.5.6 or 0.6, as it behaves")
       ->capture_default_str();
   add_encoder(odrive);
+  odrive.verb
+      .add_option("--encoder-ms", odrive.options.encoder_ms,
+                  "can.encoder_msg_rate_ms: how often positions come; 0: when asked")
+      ->check(CLI::Range(0, 1000))
+      ->capture_default_str();
   add_max_torque(odrive, "What the motor can do, N m at its shaft");
 
   const Device moteus = add_can_device(emulate, "moteus", "moteus servos (CAN FD, registers)",

@@ -83,11 +83,17 @@ awk -F, -v OFS=, 'NR > 1 && $1 > 0 { $1 += 2 } { print }' "$images/wall_wish.csv
 for device in "$images"/*_arm.toml "$images"/{falcon,hapkit}.toml; do
   "$build/bin/tactus" bake --quiet "$device" -o "${device%.toml}.tactus"
 done
-# Three arms on one bus: drives with numbers of their own, which send their positions when asked, so that there is room for all.
+# Three arms on one bus: drives with numbers of their own, which send their positions when asked, so that there is room for all. The
+# emulated drives answer once a millisecond.
 for arm in 1 2 3; do
-  awk -v first=$((3 * arm - 3)) '/^node_id/ { $3 += first; print; print "estimates = \"requested\""; next } { print }' "$images/odrive_arm.toml" |
-    sed -e "s/^rate_hz = .*/rate_hz = 200/" >"$images/arm_$arm.toml"
+  awk -v first=$((3 * arm - 3)) '/^node_id/ { $3 += first; print; print "estimates = \"requested\"\nestimate_stale_s = 0.012\nestimate_lost_s = 0.03"; next } { print }' "$images/odrive_arm.toml" |
+    sed -e "s/^rate_hz = .*/rate_hz = 200\nmax_sample_age_us = 12000/" -e '0,/^name = .*/s//&\nread_limit_s = 0.0008/' >"$images/arm_$arm.toml"
   "$build/bin/tactus" bake --quiet "$images/arm_$arm.toml" -o "$images/arm_$arm.tactus"
+done
+# Two Falcons, by their serial numbers.
+for side in left right; do
+  sed "s/^kind = \"falcon_usb\"/&\nserial = \"$side\"/" "$images/falcon.toml" >"$images/falcon_$side.toml"
+  "$build/bin/tactus" bake --quiet "$images/falcon_$side.toml" -o "$images/falcon_$side.tactus"
 done
 # The loop that is measured does not wait long for a drive's message.
 sed '0,/^name = .*/s//&\nread_limit_s = 0.00005/' "$images/odrive_arm.toml" >"$images/odrive_loop.toml"
