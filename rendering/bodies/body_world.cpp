@@ -56,6 +56,7 @@ void BodyWorld::clear() {
   gravity_W_ = Vec3::Zero();
   contact_count_ = 0;
   left_out_ = false;
+  grips_.clear(0.0);
 }
 
 bool BodyWorld::add_body(const BodyStart& start) {
@@ -210,6 +211,7 @@ void BodyWorld::sub_step(double step_s, bool is_last) {
     solids_[i].begin(bodies_[i]);
   }
   grips_.begin_step(solids_, step_s);
+  grips_.begin_spins(solids_);
   for (BodyContact& contact : contacts) {
     warm_start(contact, solids_);
   }
@@ -235,6 +237,7 @@ void BodyWorld::sub_step(double step_s, bool is_last) {
 
 void BodyWorld::solve_contacts(double step_s, const ContactSoftness* softness) {
   for (int pass = 0; pass < kPasses; ++pass) {
+    grips_.solve_spins(solids_);
     for (BodyContact& contact : std::span(contacts_).first(contact_count_)) {
       solve_contact(contact, solids_, step_s, softness);
     }
@@ -251,6 +254,7 @@ void BodyWorld::sum_impulses() {
   for (std::size_t i = 0; any_springs && i < contact_count_; ++i) {
     add_impulses(contacts_[i], pushed_);
   }
+  grips_.add_spins(pushed_);
   for (std::size_t i = 0; i < body_count_; ++i) {
     if (!solids_[i].has_springs()) {
       pushed_[i] =

@@ -55,7 +55,7 @@ struct BodyObstacle {
 // gives no energy. Restitution comes last. The order is that of the bodies' numbers.
 class BodyWorld {
  public:
-  // Starts over without bodies.
+  // Starts over without bodies, with fingers that touch in a point.
   void clear();
   // Adds a body or an obstacle, after clear(). Returns false, and adds nothing, if there are
   // kMaxBodies or kMaxObstacles already, or the mass is not valid() or the hull has no or too many
@@ -64,6 +64,8 @@ class BodyWorld {
   bool add_obstacle(const BodyObstacle& obstacle);
   // Sets the gravity, m/s^2; zero by default.
   void set_gravity(const Vec3& gravity_W) { gravity_W_ = gravity_W; }
+  // Makes the fingers soft (finger_grip.h), with this yield, m^3/N; 0: points.
+  void set_soft_fingers(double yield_m3_per_N) { grips_.clear(yield_m3_per_N); }
 
   // Sets the place of an obstacle that moves, from the next step on.
   void set_obstacle(std::size_t obstacle, const RigidPose& X_WO, const Twist& twist);

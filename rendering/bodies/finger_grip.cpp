@@ -20,11 +20,17 @@ Eigen::Matrix<double, 3, 6> jacobian(const Vec3& arm_W) {
 }  // namespace
 
 void FingerGrips::begin_tick(std::span<const FingerGrip> grips, std::span<const RigidBody> bodies) {
-  count_ = std::min(grips.size(), kMostGrips);
+  std::array<double, kMostGrips> spins{};
+  const std::size_t count = std::min(grips.size(), kMostGrips);
+  for (std::size_t i = 0; i < count; ++i) {
+    spins[i] = past_spin(grips[i]);
+  }
+  count_ = count;
   for (std::size_t i = 0; i < count_; ++i) {
     grips_[i] = {.given = grips[i],
                  .arm_W = grips[i].point_W - bodies[grips[i].body].motion().center_W,
-                 .stretch_force_W = -grips[i].spring_force_W};
+                 .stretch_force_W = -grips[i].spring_force_W,
+                 .spin = spins[i]};
   }
 }
 

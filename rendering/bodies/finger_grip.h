@@ -9,6 +9,16 @@
 // velocity of the touched point.
 //
 // An explicit spring would be unstable on bodies below K h^2 / 4.
+//
+// A soft finger touches with a disc and not with a point (Hertz), so that it also holds a body from
+// turning about the contact normal. This friction is a constraint of the solver, that the body does
+// not turn about the normal, with a torque that is at most
+//
+//   (3 pi / 16) friction N a,   a = (yield N)^(1/3),   yield = 3 R / (4 E*)
+//
+// under the normal force N of a sphere of radius R (Johnson, "Contact mechanics", 1985, 4.2
+// and 7.4). E* is the effective modulus of both surfaces. The limits along the surface and about
+// the normal do not depend on each other.
 #pragma once
 
 #include <array>
@@ -20,6 +30,7 @@
 #include "rendering/bodies/solver_body.h"
 #include "rendering/geometry/vector.h"
 #include "rendering/limits.h"
+#include "rendering/state_archive.h"
 
 namespace tactus::rendering {
 
@@ -29,8 +40,9 @@ inline constexpr std::size_t kMostGrips = kMaxTools * kGripsOfTool;
 
 // One plane of a tool's contact with a body, as the touch of this tick has found it. World frame.
 struct FingerGrip {
-  // The number of the body.
+  // The numbers of the body and of the tool.
   std::uint32_t body = 0;
+  std::uint32_t tool = 0;
   // The point of the body's surface that is touched, m, and the unit normal there, outward.
   Vec3 point_W = Vec3::Zero();
   Vec3 normal_W = Vec3::UnitY();
@@ -50,14 +62,30 @@ struct FingerGrip {
 // The grips of one tick.
 class FingerGrips {
  public:
-  // Takes the grips, at most kMostGrips; arms lead from the bodies' centres.
+  // Starts over without grips. `yield_m3_per_N` is that of soft fingers, 0 for points.
+  void clear(double yield_m3_per_N) {
+    count_ = 0;
+    yield_m3_per_N_ = yield_m3_per_N;
+  }
+
+  // Takes the grips, at most kMostGrips; arms lead from the bodies' centres. The torques of soft
+  // fingers go on.
   void begin_tick(std::span<const FingerGrip> grips, std::span<const RigidBody> bodies);
 
   // Begins a sub-step: gives the springs' inertia to the bodies that are held, and the springs'
   // impulses. Fingers that would pull let go, and those that would rub too hard slip.
   void begin_step(std::span<SolverBody> bodies, double step_s);
 
-  // Returns the impulses of a body's grips for its velocities now, with their torque.
+  // Begins the friction of soft fingers about their normals in a sub-step, with the torque of the
+  // last one. It comes after begin_step().
+  void begin_spins(std::span<SolverBody> bodies);
+  // Stops the turning of bodies about the normals of soft fingers once, within the limits.
+  void solve_spins(std::span<SolverBody> bodies);
+  // Adds the torques of soft fingers in this sub-step to the impulses on each body.
+  void add_spins(std::span<Vec6> wrenches) const;
+
+  // Returns the impulses of a body's grips for its velocities now, with their torque; those of
+  // add_spins() are not among them.
   [[nodiscard]] Vec6 impulse_on(std::uint32_t body, std::span<const SolverBody> bodies);
 
   // Ends a sub-step: counts the last impulses, and stretches the springs by the bodies' motion with
@@ -68,6 +96,10 @@ class FingerGrips {
   [[nodiscard]] Vec3 force_on_hand(std::size_t grip, double tick_s) const {
     return -grips_[grip].total / tick_s;
   }
+
+  // Saves the torques of soft fingers to the archive, or restores them; grips of points have no
+  // state.
+  void transfer(StateArchive& archive, std::uint32_t bodies);
 
  private:
   enum class Mode : std::uint8_t { open, slip, stick };
@@ -82,6 +114,11 @@ class FingerGrips {
     // The impulse on the body in this sub-step, and in the tick; N s.
     Vec3 impulse = Vec3::Zero();
     Vec3 total = Vec3::Zero();
+    // The torque about the normal in this sub-step, N m s, the body's answer to a unit of it, and
+    // the inertia that it turns, kg m^2.
+    double spin = 0.0;
+    Vec6 spin_answer = Vec6::Zero();
+    double spin_inertia = 0.0;
   };
 
   // Returns the matrix from the velocity to the impulse of a grip, kg.
@@ -92,12 +129,17 @@ class FingerGrips {
   static Vec3 possible(const SolvedGrip& grip, const Vec3& impulse);
   // Changes the mode of a grip whose impulse is not possible. Returns true if it has.
   static bool change_mode(SolvedGrip& grip, const Vec3& impulse);
+  // Returns the torque of a soft finger in the last tick, or 0 if it has not held the body there.
+  [[nodiscard]] double past_spin(const FingerGrip& grip) const;
+  // Returns the largest torque about the normal at these velocities of the body, N m s.
+  [[nodiscard]] double most_spin(const SolvedGrip& grip, const SolverBody& body) const;
   // Solves one body with its grips.
   void hold(std::uint32_t body, SolverBody& solver);
 
   std::array<SolvedGrip, kMostGrips> grips_;
   std::size_t count_ = 0;
   double step_s_ = 1e-3;
+  double yield_m3_per_N_ = 0.0;
 };
 
 }  // namespace tactus::rendering

@@ -144,4 +144,20 @@ double logarithm(double x) {
   return exponent * kLn2High + (2.0 * s + (2.0 * s * sum + exponent * kLn2Low));
 }
 
+// A third of the bits is the root within 4 percent, since the exponent is among them; the constant
+// puts the bias of the exponent back. Halley's iteration triples the digits each time.
+double cube_root(double x) {
+  constexpr std::uint64_t kTwoThirdsOfBias = 0x2A9F'7893'0000'0000;
+  constexpr int kIterations = 4;
+  if (!(x >= kSmallestCube && x <= kLargestCube)) {
+    return 0.0;
+  }
+  auto root = std::bit_cast<double>(std::bit_cast<std::uint64_t>(x) / 3 + kTwoThirdsOfBias);
+  for (int i = 0; i < kIterations; ++i) {
+    const double cube = root * root * root;
+    root -= root * ((cube - x) / (2.0 * cube + x));
+  }
+  return root;
+}
+
 }  // namespace tactus::rendering

@@ -26,4 +26,10 @@ inline constexpr double kLargestExponent = 700.0;
 double logarithm(double x);
 inline constexpr double kSmallestLogarithmArgument = 0x1p-1022;
 
+// Returns the cube root, with a relative error below 1e-15, for kSmallestCube <= x <= kLargestCube;
+// 0 for any other x, also NaN.
+double cube_root(double x);
+inline constexpr double kSmallestCube = 0x1p-1020;
+inline constexpr double kLargestCube = 0x1p+1000;
+
 }  // namespace tactus::rendering

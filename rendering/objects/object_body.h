@@ -1,6 +1,8 @@
 // What makes an object a body that moves by forces (rendering/bodies).
 #pragma once
 
+#include <limits>
+
 #include "rendering/geometry/convex_hull.h"
 #include "rendering/geometry/vector.h"
 
@@ -31,6 +33,15 @@ inline Vec3 standard_gravity_W() {
 }
 // The largest gravity of a scene, m/s^2.
 inline constexpr double kMostGravity_m_per_s2 = 1000.0;
+
+// The least effective modulus of soft fingers, Pa: softer than any gel.
+inline constexpr double kLeastFingerModulus_Pa = 100.0;
+// Returns true if fingers may have this effective modulus: 0 stands for fingers that touch in a
+// point. NaN may not.
+constexpr bool is_finger_modulus(double modulus_Pa) {
+  return modulus_Pa == 0.0 ||
+         (modulus_Pa >= kLeastFingerModulus_Pa && modulus_Pa <= std::numeric_limits<double>::max());
+}
 
 // A body as a scene describes it. It begins where the scene gives the object.
 struct ObjectBody {

@@ -58,6 +58,10 @@ Vec3 read_gravity(const image::Double3* stored) {
   return to_vec3(*stored);
 }
 
+double read_finger_modulus(double stored) {
+  return is_finger_modulus(stored) ? stored : 0.0;
+}
+
 std::expected<ObjectBody, SceneError> read_body(const image::Body& stored, const Object& object) {
   if (!is_aligned(stored.hull_vertices()) || !is_aligned(stored.hull_faces())) {
     return fail(SceneFault::malformed);

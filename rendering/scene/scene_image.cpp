@@ -183,6 +183,7 @@ Result SceneImage::take(const image::Scene& scene) {
     return effects;
   }
   gravity_W_ = read_gravity(scene.gravity());
+  soft_finger_modulus_Pa_ = read_finger_modulus(scene.soft_finger_modulus());
   const std::expected<Needle, SceneError> needle = read_needle(scene.needle());
   if (!needle) {
     return std::unexpected(needle.error());

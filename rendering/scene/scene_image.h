@@ -71,6 +71,8 @@ class SceneImage {
   }
   // Returns the gravity that acts on bodies, m/s^2.
   [[nodiscard]] const Vec3& gravity_W() const { return gravity_W_; }
+  // Returns the effective modulus of soft fingers, Pa; 0 for fingers that touch in a point.
+  [[nodiscard]] double soft_finger_modulus_Pa() const { return soft_finger_modulus_Pa_; }
 
   // Returns the needle of the tools, and the tissues, to which the objects refer.
   [[nodiscard]] NeedleScene needle() const {
@@ -108,6 +110,7 @@ class SceneImage {
   std::size_t effect_count_ = 0;
   std::array<Effect, kMaxEffects> effects_{};
   Vec3 gravity_W_ = standard_gravity_W();
+  double soft_finger_modulus_Pa_ = 0.0;
   std::size_t body_count_ = 0;
   std::array<ObjectBody, kMaxBodies> bodies_{};
   Needle needle_;

@@ -12,6 +12,7 @@ inline WorldConfig world_of(const SceneImage& scene) {
           .effects = scene.effects(),
           .bodies = scene.bodies(),
           .gravity_W = scene.gravity_W(),
+          .soft_finger_modulus_Pa = scene.soft_finger_modulus_Pa(),
           .needle = scene.needle()};
 }
 

@@ -40,6 +40,7 @@ void BodyWorld::transfer(StateArchive& archive) {
   for (std::size_t i = 0; i < contact_count_ && archive.good(); ++i) {
     transfer_contact(archive, contacts_[i], solids);
   }
+  grips_.transfer(archive, static_cast<std::uint32_t>(body_count_));
 }
 
 void WorldBodies::transfer(StateArchive& archive) {

@@ -15,6 +15,14 @@ constexpr std::size_t effect_units(std::size_t effects, std::size_t tools) {
   return kCostOfEffect * effects * tools;
 }
 
+// Returns the laws of bodies; the yield of a soft finger is 3 R / (4 E*).
+BodyLaws laws_of(const WorldConfig& config) {
+  const double modulus_Pa = config.soft_finger_modulus_Pa;
+  return {
+      .gravity_W = config.gravity_W,
+      .finger_yield_m3_per_N = modulus_Pa > 0.0 ? 0.75 * config.tool_radius_m / modulus_Pa : 0.0};
+}
+
 }  // namespace
 
 std::size_t standing_units(std::span<const Object> objects, const WorldConfig& config) {
@@ -28,10 +36,11 @@ bool World::set_scene(std::span<const Object> objects, const WorldConfig& config
   const bool good_config =
       is_tool_radius(config.tool_radius_m) && config.tool_count >= 1 &&
       config.tool_count <= tool_capacity() && config.effects.size() <= kMaxEffects &&
-      config.gravity_W.allFinite() && valid(config.needle, objects) &&
+      config.gravity_W.allFinite() && is_finger_modulus(config.soft_finger_modulus_Pa) &&
+      valid(config.needle, objects) &&
       std::ranges::all_of(config.effects, [](const Effect& effect) { return valid(effect); });
   bool good = scene_.set(good_config ? objects : std::span<const Object>{}) && good_config;
-  if (!bodies_.set(scene_, config.bodies, config.gravity_W)) {
+  if (!bodies_.set(scene_, config.bodies, laws_of(config))) {
     scene_.set({});
     good = false;
   }

@@ -36,6 +36,9 @@ struct WorldConfig {
   std::span<const ObjectBody> bodies;
   // The gravity that acts on bodies, m/s^2; the default is the standard one, downward.
   Vec3 gravity_W = standard_gravity_W();
+  // The effective modulus of fingers that are soft, Pa (finger_grip.h); 0 for fingers that touch in
+  // a point, as those without a radius do.
+  double soft_finger_modulus_Pa = 0.0;
   // The needle of every tool, and the tissues among the objects, each once. The caller keeps the
   // tissues alive.
   NeedleScene needle;

@@ -14,10 +14,11 @@ ContactSurface surface_of(const SceneObjects& scene, std::uint32_t number, doubl
 }  // namespace
 
 bool WorldBodies::set(const SceneObjects& scene, std::span<const ObjectBody> bodies,
-                      const Vec3& gravity_W) {
+                      const BodyLaws& laws) {
   bodies_.clear();
   obstacle_count_ = 0;
-  bodies_.set_gravity(gravity_W);
+  bodies_.set_gravity(laws.gravity_W);
+  bodies_.set_soft_fingers(laws.finger_yield_m3_per_N);
   const auto numbers = std::views::iota(0U, static_cast<std::uint32_t>(scene.size()));
   const bool any_body =
       std::ranges::any_of(numbers, [&](std::uint32_t number) { return is_body(scene[number]); });
@@ -101,9 +102,10 @@ void WorldBodies::step(const SceneObjects& scene, std::span<ToolGrips> tools) {
   std::array<Vec3, kMostGrips> forces_W;
   std::size_t count = 0;
   const auto numbers = std::span(body_objects_).first(bodies_.bodies().size());
-  for (const ToolGrips& tool : tools) {
-    for (const ToolGrip& grip : std::span(tool.grips).first(tool.count)) {
+  for (std::size_t i = 0; i < tools.size(); ++i) {
+    for (const ToolGrip& grip : std::span(tools[i].grips).first(tools[i].count)) {
       grips[count] = grip.grip;
+      grips[count].tool = static_cast<std::uint32_t>(i);
       grips[count++].body =
           static_cast<std::uint32_t>(std::ranges::find(numbers, grip.object) - numbers.begin());
     }

@@ -16,6 +16,14 @@
 
 namespace tactus::rendering {
 
+// The laws of a scene's bodies.
+struct BodyLaws {
+  // The gravity, m/s^2.
+  Vec3 gravity_W = standard_gravity_W();
+  // The yield of soft fingers, m^3/N; 0 for fingers that touch in a point (finger_grip.h).
+  double finger_yield_m3_per_N = 0.0;
+};
+
 // Every object that names an ObjectBody is a body; every other object is an obstacle to bodies,
 // also where it moves by itself. Bodies go through meshes that deform.
 class WorldBodies {
@@ -23,7 +31,7 @@ class WorldBodies {
   // Starts over with the bodies of a scene; the objects stay alive. Returns false, and has no
   // bodies, if there are more than kMaxBodies, or more than kMaxObstacles beside them, or if an
   // object names a body that is not there or not sound.
-  bool set(const SceneObjects& scene, std::span<const ObjectBody> bodies, const Vec3& gravity_W);
+  bool set(const SceneObjects& scene, std::span<const ObjectBody> bodies, const BodyLaws& laws);
 
   // Returns true if there are bodies.
   [[nodiscard]] bool any() const { return !bodies_.bodies().empty(); }

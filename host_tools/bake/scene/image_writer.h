@@ -62,6 +62,8 @@ struct BakedScene {
   std::vector<rendering::Effect> effects;
   // The gravity that acts on bodies, m/s^2; nothing for the earth's, downward.
   std::optional<Vec3> gravity_W = std::nullopt;
+  // The effective modulus of soft fingers, Pa; 0 for fingers that touch in a point.
+  double soft_finger_modulus_Pa = 0.0;
   // The needle of every tool; nothing for tools without one.
   std::optional<rendering::Needle> needle = std::nullopt;
 };

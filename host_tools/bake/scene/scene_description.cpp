@@ -24,7 +24,7 @@ constexpr std::array kSceneKeys{KeySpec{"tool", ""}, KeySpec{"object", ""}, KeyS
                                 KeySpec{"device", ""}, KeySpec{"world", ""}};
 constexpr std::array kWorldKeys{KeySpec{"gravity_m_per_s2", "m_per_s2"}};
 constexpr std::array kToolKeys{KeySpec{"radius_m", "m"}, KeySpec{"count", ""},
-                               KeySpec{"needle", ""}};
+                               KeySpec{"needle", ""}, KeySpec{"soft_finger_modulus_Pa", "Pa"}};
 // The keys of an [[object]] that do not depend on its shape.
 constexpr std::array kOwnKeys{
     KeySpec{"name", ""},
@@ -193,6 +193,26 @@ void require_distinct_name(std::span<const ObjectDescription> others, const std:
   }
 }
 
+// Returns the effective modulus of soft fingers, Pa, or 0. Throws InputError for a tool that is a
+// point, and for a modulus that is none.
+double read_finger_modulus(const TomlSection& tool, double radius_m) {
+  constexpr const char* kKey = "soft_finger_modulus_Pa";
+  const std::optional<double> modulus_Pa = tool.number(kKey, kAboveZero);
+  if (!modulus_Pa) {
+    return 0.0;
+  }
+  if (!(radius_m > 0.0)) {
+    tool.fail(kKey, "a tool of radius 0 touches in a point; give it a radius_m, or leave this out");
+  }
+  if (!rendering::is_finger_modulus(*modulus_Pa)) {
+    tool.fail(kKey,
+              fmt::format("the modulus is {} Pa, where {} Pa is the least; is it in megapascals "
+                          "or kilopascals?",
+                          *modulus_Pa, rendering::kLeastFingerModulus_Pa));
+  }
+  return *modulus_Pa;
+}
+
 }  // namespace
 
 SceneDescription parse_scene_description(std::string_view text, const std::filesystem::path& path) {
@@ -210,6 +230,7 @@ SceneDescription parse_scene_description(std::string_view text, const std::files
     }
     scene.tool_count = tool_section.count("count", rendering::kMaxTools).value_or(1);
     scene.needle = read_needle(tool_section, scene.file);
+    scene.soft_finger_modulus_Pa = read_finger_modulus(tool_section, scene.tool_radius_m);
   }
   if (const toml::table* world = section.table("world")) {
     const TomlSection world_section(*world, scene.file, "[world]", kWorldKeys);

@@ -64,6 +64,8 @@ struct SceneDescription {
   std::size_t tool_count = 1;
   // The gravity that acts on bodies, m/s^2; nothing for the earth's, downward.
   std::optional<Vec3> gravity_W;
+  // The effective modulus of soft fingers, Pa; 0 for fingers that touch bodies in a point.
+  double soft_finger_modulus_Pa = 0.0;
   // The needle of every tool; nothing for tools without one.
   std::optional<rendering::Needle> needle;
   // The device for which the friction is checked.

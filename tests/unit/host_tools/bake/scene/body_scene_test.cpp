@@ -155,6 +155,23 @@ TEST_F(BodyScene, RestsOnEveryKindOfSurface) {
   }
 }
 
+TEST_F(BodyScene, SaysHowSoftTheFingersAre) {
+  bake(kCube + "[object.body]\n");
+  EXPECT_EQ(rendering::world_of(scene_->image()).soft_finger_modulus_Pa, 0.0);
+  bake("[tool]\nsoft_finger_modulus_Pa = 5e4\n" + kCube + "[object.body]\n");
+  EXPECT_EQ(rendering::world_of(scene_->image()).soft_finger_modulus_Pa, 5e4);
+  static_cast<void>(run(1));
+  const auto refusal = [](const std::string& keys) {
+    return refusal_of("[tool]\n" + keys + kCube + "[object.body]\n");
+  };
+  EXPECT_TRUE(contains(refusal("radius_m = 0.0\nsoft_finger_modulus_Pa = 5e4\n"),
+                       "scene.toml:3: [tool]: a tool of radius 0 touches in a point"));
+  EXPECT_TRUE(contains(refusal("soft_finger_modulus_Pa = 0.05\n"), "is it in megapascals"));
+  EXPECT_TRUE(contains(refusal("soft_finger_modulus_Pa = -1.0\n"), "scene.toml:2: "));
+  EXPECT_TRUE(contains(refusal("soft_finger_modulus_kPa = 50.0\n"),
+                       "write soft_finger_modulus_Pa = 50000"));
+}
+
 TEST_F(BodyScene, RefusesWhatCannotBeABody) {
   EXPECT_TRUE(
       contains(refusal_of(kCube + "motion = { spin_rad_per_s = [0.0, 1.0, 0.0] }\n[object.body]\n"),
