@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "rendering/bodies/turn_friction.h"
+
 namespace tactus::rendering {
 namespace {
 
@@ -12,31 +14,11 @@ constexpr double kFastestRecovery_m_per_s = 1.0;
 // Slower approaches do not bounce, m/s: one of them is gravity's of a few ticks.
 constexpr double kLeastBounce_m_per_s = 0.05;
 
-// Returns the speed with which the surfaces part along a direction.
-double parting(const SolverBody& a, const SolverBody& b, const PushDirection& along) {
-  return dot(along.on_a, a.velocity()) + dot(along.on_b, b.velocity());
-}
-
-void push_apart(const BodyContact& contact, SolverBody& a, SolverBody& b,
-                const PushDirection& along, double impulse) {
-  if (contact.pushes_a) {
-    a.gain(impulse, along.answer_a);
-  }
-  b.gain(impulse, along.answer_b);
-}
-
-double inverse_or_zero(double x) {
-  return x > 0.0 ? 1.0 / x : 0.0;
-}
-
 // Computes the answers of the bodies as they are now.
 void set_answers(const BodyContact& contact, const SolverBody& a, const SolverBody& b,
                  SolvedPoint& point) {
   for (PushDirection& along : point.along) {
-    if (contact.pushes_a) {
-      along.answer_a = a.answer_to(along.on_a);
-    }
-    along.answer_b = b.answer_to(along.on_b);
+    set_answers(contact.pushes_a, a, b, along);
   }
 }
 
@@ -65,8 +47,8 @@ void solve_friction(const BodyContact& contact, SolvedPoint& point, SolverBody& 
   if (size2 > most * most) {
     wanted *= most / std::sqrt(size2);
   }
-  push_apart(contact, a, b, point.along[1], wanted[0] - point.rub[0]);
-  push_apart(contact, a, b, point.along[2], wanted[1] - point.rub[1]);
+  push_apart(contact.pushes_a, a, b, point.along[1], wanted[0] - point.rub[0]);
+  push_apart(contact.pushes_a, a, b, point.along[2], wanted[1] - point.rub[1]);
   point.rub = wanted;
 }
 
@@ -81,8 +63,11 @@ ContactSoftness contact_softness(double frequency_Hz, double damping_ratio, doub
 }
 
 PastContact past_of(const BodyContact& contact) {
-  PastContact past{
-      .a = contact.a, .b = contact.b, .axes_W = contact.axes_W, .count = contact.count};
+  PastContact past{.a = contact.a,
+                   .b = contact.b,
+                   .axes_W = contact.axes_W,
+                   .count = contact.count,
+                   .torque = contact.torque};
   for (std::size_t i = 0; i < contact.count; ++i) {
     const SolvedPoint& point = contact.points[i];
     past.points[i] = {.arm_b_W = point.arm_b_W, .push = point.push, .rub = point.rub};
@@ -118,13 +103,15 @@ void begin_contact(const Manifold& manifold, std::span<const SolverBody> bodies,
     }
     set_answers(contact, a, b, point);
     for (PushDirection& along : point.along) {
-      along.mass = inverse_or_zero((contact.pushes_a ? dot(along.on_a, along.answer_a) : 0.0) +
-                                   dot(along.on_b, along.answer_b));
+      set_mass(contact.pushes_a, along);
     }
     point.parting_m_per_s = parting(a, b, point.along[0]);
     if (before != nullptr) {
       take_over_impulses(*before, contact, point);
     }
+  }
+  if (contact.surface.resists_turning()) {
+    begin_turning(before, a, b, contact);
   }
 }
 
@@ -137,9 +124,12 @@ void warm_start(BodyContact& contact, std::span<SolverBody> bodies) {
     if (has_springs) {
       set_answers(contact, a, b, point);
     }
-    push_apart(contact, a, b, point.along[0], point.push);
-    push_apart(contact, a, b, point.along[1], point.rub[0]);
-    push_apart(contact, a, b, point.along[2], point.rub[1]);
+    push_apart(contact.pushes_a, a, b, point.along[0], point.push);
+    push_apart(contact.pushes_a, a, b, point.along[1], point.rub[0]);
+    push_apart(contact.pushes_a, a, b, point.along[2], point.rub[1]);
+  }
+  if (contact.surface.resists_turning()) {
+    warm_start_turning(contact, a, b);
   }
 }
 
@@ -181,10 +171,13 @@ void solve_contact(BodyContact& contact, std::span<SolverBody> bodies, double st
         -point.along[0].mass * mass_scale * (approach + bias) - impulse_scale * point.push;
     const double push = std::max(point.push + change, 0.0);
     if (push != point.push) {
-      push_apart(contact, a, b, point.along[0], push - point.push);
+      push_apart(contact.pushes_a, a, b, point.along[0], push - point.push);
       point.push = push;
       point.hardest_push = std::max(point.hardest_push, push);
     }
+  }
+  if (contact.surface.resists_turning()) {
+    solve_turning(contact, a, b);
   }
   for (std::size_t i = 0; i < contact.count; ++i) {
     SolvedPoint& point = contact.points[i];
@@ -210,7 +203,7 @@ void apply_restitution(BodyContact& contact, std::span<SolverBody> bodies) {
     const double change =
         -point.along[0].mass * (approach + contact.surface.restitution * point.parting_m_per_s);
     const double push = std::max(point.push + change, 0.0);
-    push_apart(contact, a, b, point.along[0], push - point.push);
+    push_apart(contact.pushes_a, a, b, point.along[0], push - point.push);
     point.push = push;
   }
 }
@@ -225,6 +218,13 @@ void add_impulses(const BodyContact& contact, std::span<Vec6> wrenches) {
     if (contact.pushes_a) {
       wrenches[contact.a].head<3>() -= impulse;
       wrenches[contact.a].tail<3>() -= point.arm_a_W.cross(impulse);
+    }
+  }
+  if (contact.surface.resists_turning()) {
+    const Vec3 torque_W = turning_torque_W(contact);
+    wrenches[contact.b].tail<3>() += torque_W;
+    if (contact.pushes_a) {
+      wrenches[contact.a].tail<3>() -= torque_W;
     }
   }
 }

@@ -8,6 +8,7 @@
 #include <span>
 
 #include "rendering/bodies/manifold.h"
+#include "rendering/bodies/push_direction.h"
 #include "rendering/bodies/solver_body.h"
 #include "rendering/geometry/vector.h"
 
@@ -19,19 +20,12 @@ struct ContactSurface {
   // speed that is left after a bounce.
   double friction = 0.0;
   double restitution = 0.0;
-};
+  // The torques over the normal force, m, that resist rolling and spinning about the normal.
+  double rolling_m = 0.0;
+  double spinning_m = 0.0;
 
-// A direction along which two solids push each other at a point: what the solver needs of it.
-struct PushDirection {
-  // The impulses of 1 N s on A and B with their torques. Their products with the velocities add up
-  // to the speed with which the surfaces part.
-  Vec6 on_a = Vec6::Zero();
-  Vec6 on_b = Vec6::Zero();
-  // The changes of the velocities of A and B by these impulses.
-  Vec6 answer_a = Vec6::Zero();
-  Vec6 answer_b = Vec6::Zero();
-  // The mass that it pushes, kg.
-  double mass = 0.0;
+  // Returns true if the surface resists turning.
+  [[nodiscard]] bool resists_turning() const { return rolling_m > 0.0 || spinning_m > 0.0; }
 };
 
 // A point of a contact while it is solved. World frame.
@@ -64,6 +58,10 @@ struct BodyContact {
   std::array<Vec3, 3> axes_W{Vec3::UnitY(), Vec3::UnitX(), Vec3::UnitZ()};
   std::array<SolvedPoint, kManifoldPoints> points;
   std::size_t count = 0;
+  // The turning about the three axes, and the torques of a sub-step against it, N m s; of surfaces
+  // that resist it.
+  std::array<PushDirection, 3> about;
+  Vec3 torque = Vec3::Zero();
 };
 
 // A point of a contact, as the next tick needs it: the arm from the centre of B, m, and the
@@ -80,6 +78,8 @@ struct PastContact {
   std::array<Vec3, 3> axes_W{Vec3::UnitY(), Vec3::UnitX(), Vec3::UnitZ()};
   std::array<PastPoint, kManifoldPoints> points;
   std::size_t count = 0;
+  // The torques about the axes, N m s.
+  Vec3 torque = Vec3::Zero();
 };
 
 // Returns a contact's past for the next tick.
@@ -116,7 +116,8 @@ void warm_start(BodyContact& contact, std::span<SolverBody> bodies);
 // Computes the points' distances after the solids have moved.
 void follow_motion(BodyContact& contact, std::span<const Shift> shifts);
 
-// Solves the points of a contact once; friction comes last, as its limit is the push's. With a
+// Solves the points of a contact once; friction and the resistance to turning come last, as their
+// limit is the push's. With a
 // softness the surfaces are pushed apart where they overlap; without one (nullptr) only their
 // approach is stopped.
 void solve_contact(BodyContact& contact, std::span<SolverBody> bodies, double step_s,

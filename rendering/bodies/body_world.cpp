@@ -20,10 +20,12 @@ constexpr double kMargin_m = 5e-4;
 constexpr double kSameContact = 0.5;
 
 // Returns the friction and the restitution of two surfaces: the geometric mean of the coefficients,
-// and the larger restitution.
+// and the larger of the other numbers.
 ContactSurface surface_of(const ContactSurface& a, const ContactSurface& b) {
   return {.friction = std::sqrt(a.friction * b.friction),
-          .restitution = std::max(a.restitution, b.restitution)};
+          .restitution = std::max(a.restitution, b.restitution),
+          .rolling_m = std::max(a.rolling_m, b.rolling_m),
+          .spinning_m = std::max(a.spinning_m, b.spinning_m)};
 }
 
 // Returns the largest speed of a point of a solid.

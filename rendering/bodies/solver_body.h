@@ -26,6 +26,13 @@ inline Vec6 wrench_of(const Vec3& impulse_W, const Vec3& arm_W) {
   return wrench;
 }
 
+// Returns an impulse of torque alone.
+inline Vec6 torque_wrench(const Vec3& torque_W) {
+  Vec6 wrench;
+  wrench << Vec3::Zero(), torque_W;
+  return wrench;
+}
+
 // Returns the product of two such vectors.
 inline double dot(const Vec6& x, const Vec6& y) {
   const double* const p = x.data();

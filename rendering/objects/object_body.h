@@ -43,6 +43,9 @@ constexpr bool is_finger_modulus(double modulus_Pa) {
          (modulus_Pa >= kLeastFingerModulus_Pa && modulus_Pa <= std::numeric_limits<double>::max());
 }
 
+// The largest torque of rolling or spinning friction over the normal force, m.
+inline constexpr double kMostTurnFriction_m = 1.0;
+
 // A body as a scene describes it. It begins where the scene gives the object.
 struct ObjectBody {
   BodyMass mass;
@@ -52,6 +55,10 @@ struct ObjectBody {
   Mat3 axes_O = Mat3::Identity();
   // The share of the approaching speed that is left after a bounce, 0 to 1.
   double restitution = 0.0;
+  // The torques that resist rolling, and spinning about the normal of a contact, over its normal
+  // force, m: 0 to kMostTurnFriction_m.
+  double rolling_friction_m = 0.0;
+  double spinning_friction_m = 0.0;
   // The velocity of the centre of mass at the start (world frame, m/s), and the angular velocity
   // (axes of O, rad/s).
   Vec3 velocity_W = Vec3::Zero();

@@ -15,6 +15,10 @@ static_assert(sizeof(HullFace) == sizeof(image::HullFace) && offsetof(HullFace, 
               sizeof(HullEdge) == sizeof(image::HullEdge) && offsetof(HullEdge, right) == 6 &&
               sizeof(Vec3) == sizeof(image::Double3));
 
+bool is_turn_friction(double friction_m) {
+  return friction_m >= 0.0 && friction_m <= kMostTurnFriction_m;
+}
+
 bool is_unit(const Vec3& v) {
   return std::abs(v.squaredNorm() - 1.0) <= 1e-6;
 }
@@ -77,6 +81,8 @@ std::expected<ObjectBody, SceneError> read_body(const image::Body& stored, const
                            .edges = in_place<HullEdge>(stored.hull_edges())},
                   .axes_O = to_pose(*stored.axes()).rotation,
                   .restitution = stored.restitution(),
+                  .rolling_friction_m = stored.rolling_friction(),
+                  .spinning_friction_m = stored.spinning_friction(),
                   .velocity_W = to_vec3(*stored.velocity()),
                   .angular_velocity_O = to_vec3(*stored.angular_velocity())};
   if (stored.hull_corners() != nullptr) {
@@ -87,7 +93,8 @@ std::expected<ObjectBody, SceneError> read_body(const image::Body& stored, const
       (object.surface == SurfaceKind::primitive && has_hull(object.primitive.kind));
   const bool is_good = has_shape && valid(body.mass) && is_hull(body.hull) &&
                        body.axes_O.allFinite() && body.restitution >= 0.0 &&
-                       body.restitution <= 1.0 &&
+                       body.restitution <= 1.0 && is_turn_friction(body.rolling_friction_m) &&
+                       is_turn_friction(body.spinning_friction_m) &&
                        body.mass.center_O.cwiseAbs().maxCoeff() <= kWorldBound_m &&
                        body.velocity_W.norm() <= kFastestBody_m_per_s &&
                        body.angular_velocity_O.norm() <= kFastestBodyTurn_rad_per_s;

@@ -1,4 +1,7 @@
 // Saves and restores the bodies of a world: their motion, and the impulses of their contacts.
+#include <algorithm>
+#include <span>
+
 #include "rendering/bodies/body_world.h"
 #include "rendering/state_archive.h"
 #include "rendering/world/world_bodies.h"
@@ -16,14 +19,18 @@ void transfer_motion(StateArchive& archive, RigidBody& body) {
 }
 
 // The next tick takes over impulses by the points' places.
-void transfer_contact(StateArchive& archive, BodyContact& contact, std::uint16_t solids) {
-  auto& [a, b, pushes_a, surface, axes_W, points, count] = contact;
+void transfer_contact(StateArchive& archive, BodyContact& contact, std::uint16_t solids,
+                      bool any_resists_turning) {
+  auto& [a, b, pushes_a, surface, axes_W, points, count, about, torque] = contact;
   archive.up_to(a, solids);
   archive.up_to(b, solids);
   archive(axes_W);
   archive.up_to(count, kManifoldPoints);
   for (std::size_t i = 0; i < count && archive.good(); ++i) {
     archive(points[i].arm_b_W, points[i].push, points[i].rub);
+  }
+  if (any_resists_turning) {
+    archive(torque);
   }
 }
 
@@ -37,8 +44,11 @@ void BodyWorld::transfer(StateArchive& archive) {
   }
   archive.up_to(contact_count_, kMaxBodyContacts);
   const auto solids = static_cast<std::uint16_t>(body_count_ + obstacle_count_);
+  const bool any_resists_turning =
+      std::ranges::any_of(std::span(starts_).first(body_count_),
+                          [](const BodyStart& body) { return body.surface.resists_turning(); });
   for (std::size_t i = 0; i < contact_count_ && archive.good(); ++i) {
-    transfer_contact(archive, contacts_[i], solids);
+    transfer_contact(archive, contacts_[i], solids, any_resists_turning);
   }
   grips_.transfer(archive, static_cast<std::uint32_t>(body_count_));
 }

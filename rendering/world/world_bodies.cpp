@@ -6,9 +6,15 @@
 namespace tactus::rendering {
 namespace {
 
-// Returns the surface of an object against other objects.
-ContactSurface surface_of(const SceneObjects& scene, std::uint32_t number, double restitution) {
-  return {.friction = scene.material(number).friction.coulomb, .restitution = restitution};
+// Returns the surface of an object against other objects; `body` may be nullptr.
+ContactSurface surface_of(const SceneObjects& scene, std::uint32_t number, const ObjectBody* body) {
+  ContactSurface surface{.friction = scene.material(number).friction.coulomb};
+  if (body != nullptr) {
+    surface.restitution = body->restitution;
+    surface.rolling_m = body->rolling_friction_m;
+    surface.spinning_m = body->spinning_friction_m;
+  }
+  return surface;
 }
 
 }  // namespace
@@ -53,8 +59,7 @@ bool WorldBodies::add(const SceneObjects& scene, std::uint32_t number, const Obj
     own.make(object.primitive);
     hull = own.hull();
   }
-  const ContactSurface surface =
-      surface_of(scene, number, body != nullptr ? body->restitution : 0.0);
+  const ContactSurface surface = surface_of(scene, number, body);
   if (body != nullptr) {
     BodyStart start{.body = *body, .surface = surface, .X_WO = {}};
     start.body.hull = hull;

@@ -117,6 +117,8 @@ BakedBody bake_body(const BodyDescription& description, const ShapeDescription& 
                            .hull = {},
                            .axes_O = axes,
                            .restitution = description.restitution,
+                           .rolling_friction_m = description.rolling_friction_m,
+                           .spinning_friction_m = description.spinning_friction_m,
                            .velocity_W = description.velocity_W,
                            .angular_velocity_O = axes * description.angular_velocity_B},
                   .hull = {}};

@@ -19,7 +19,9 @@ constexpr std::array kBodyKeys{KeySpec{"mass_kg", "kg"},
                                KeySpec{"angular_velocity_rad_per_s", "rad_per_s"},
                                KeySpec{"linear_damping_per_s", "per_s"},
                                KeySpec{"angular_damping_per_s", "per_s"},
-                               KeySpec{"restitution", ""}};
+                               KeySpec{"restitution", ""},
+                               KeySpec{"rolling_friction_m", "m"},
+                               KeySpec{"spinning_friction_m", "m"}};
 
 // Throws InputError for an object that cannot move by forces.
 void require_movable(const TomlSection& object, ContactMethod contact,
@@ -38,6 +40,17 @@ void require_movable(const TomlSection& object, ContactMethod contact,
                 "a body is touched by contact = \"sphere_proxy\" or \"god_object\"; write one of "
                 "them, or leave out the body");
   }
+}
+
+// Returns the torque over the normal force, m; 0 if the key is left out.
+double read_turn_friction(const TomlSection& section, const char* key) {
+  const double friction_m = section.number(key, kZeroOrMore).value_or(0.0);
+  if (friction_m > rendering::kMostTurnFriction_m) {
+    section.fail(key, fmt::format("{} is {} m, where {} m is the most: the torque over the normal "
+                                  "force; is it in millimetres?",
+                                  key, friction_m, rendering::kMostTurnFriction_m));
+  }
+  return friction_m;
 }
 
 }  // namespace
@@ -65,6 +78,8 @@ std::optional<BodyDescription> read_body(const TomlSection& object, std::string_
       .linear_damping_per_s = section.number("linear_damping_per_s", kZeroOrMore).value_or(0.0),
       .angular_damping_per_s = section.number("angular_damping_per_s", kZeroOrMore).value_or(0.0),
       .restitution = section.number("restitution", kZeroOrMore).value_or(0.0),
+      .rolling_friction_m = read_turn_friction(section, "rolling_friction_m"),
+      .spinning_friction_m = read_turn_friction(section, "spinning_friction_m"),
       .velocity_W = section.vector("velocity_m_per_s").value_or(none),
       .angular_velocity_B = section.vector("angular_velocity_rad_per_s").value_or(none)};
   if (!(body.velocity_W.norm() <= rendering::kFastestBody_m_per_s)) {

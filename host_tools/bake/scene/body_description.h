@@ -26,6 +26,8 @@ struct BodyDescription {
   double linear_damping_per_s = 0.0;
   double angular_damping_per_s = 0.0;
   double restitution = 0.0;
+  double rolling_friction_m = 0.0;
+  double spinning_friction_m = 0.0;
   // The velocity of the centre of mass (world frame, m/s), and the angular velocity along the axes
   // of the object, rad/s.
   Vec3 velocity_W = Vec3::Zero();

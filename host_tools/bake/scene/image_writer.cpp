@@ -136,7 +136,7 @@ Offset<image::Body> write_body(FlatBufferBuilder& builder, const std::optional<B
   return image::CreateBody(builder, body.mass.mass_kg, &center, &inertia, &axes,
                            body.mass.linear_damping_per_s, body.mass.angular_damping_per_s,
                            body.restitution, &velocity, &angular_velocity, vertices, faces, corners,
-                           edges);
+                           edges, body.rolling_friction_m, body.spinning_friction_m);
 }
 
 std::optional<image::Tissue> write_tissue(const std::optional<rendering::Tissue>& tissue) {

@@ -60,13 +60,16 @@ class BodyBench {
   }
 
   void add(const Primitive& primitive, const BodyMass& mass, const RigidPose& pose,
-           const ContactSurface& surface, const Vec3& velocity = Vec3::Zero()) {
+           const ContactSurface& surface, const Vec3& velocity = Vec3::Zero(),
+           const Vec3& angular_velocity = Vec3::Zero()) {
     hulls_.push_back(std::make_unique<PrimitiveHull>());
     hulls_.back()->make(primitive);
-    ASSERT_TRUE(world_->add_body(
-        {.body = {.mass = mass, .hull = hulls_.back()->hull(), .velocity_W = velocity},
-         .surface = surface,
-         .X_WO = pose}));
+    ASSERT_TRUE(world_->add_body({.body = {.mass = mass,
+                                           .hull = hulls_.back()->hull(),
+                                           .velocity_W = velocity,
+                                           .angular_velocity_O = angular_velocity},
+                                  .surface = surface,
+                                  .X_WO = pose}));
   }
   void add_box(const Vec3& half, double mass_kg, const RigidPose& pose, double friction,
                const Vec3& velocity = Vec3::Zero()) {
@@ -74,9 +77,9 @@ class BodyBench {
         mass_of_box(mass_kg, half), pose, {.friction = friction}, velocity);
   }
   void add_ball(double radius, double mass_kg, const Vec3& center, const ContactSurface& surface,
-                const Vec3& velocity = Vec3::Zero()) {
+                const Vec3& velocity = Vec3::Zero(), const Vec3& angular_velocity = Vec3::Zero()) {
     add({.kind = PrimitiveKind::sphere, .dimensions_m = {radius}}, mass_of_ball(mass_kg, radius),
-        {.translation = center}, surface, velocity);
+        {.translation = center}, surface, velocity, angular_velocity);
   }
 
   void run(double seconds) {

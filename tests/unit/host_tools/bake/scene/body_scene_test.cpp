@@ -172,6 +172,25 @@ TEST_F(BodyScene, SaysHowSoftTheFingersAre) {
                        "write soft_finger_modulus_Pa = 50000"));
 }
 
+TEST_F(BodyScene, RollsToAStopWhereItResistsRolling) {
+  bake(
+      "[[object]]\nprimitive = \"plane\"\nfriction = { static = 0.5 }\n"
+      "[[object]]\nname = \"ball\"\nprimitive = \"sphere\"\nradius_m = 0.02\n"
+      "position_m = [0.0, 0.02, 0.0]\nfriction = { static = 0.5 }\n[object.body]\n"
+      "velocity_m_per_s = [0.1, 0.0, 0.0]\nangular_velocity_rad_per_s = [0.0, 0.0, -5.0]\n"
+      "rolling_friction_m = 1e-3\nspinning_friction_m = 2e-3\n");
+  EXPECT_EQ(body().rolling_friction_m, 1e-3);
+  EXPECT_EQ(body().spinning_friction_m, 2e-3);
+  const double stop_m =
+      0.1 * 0.1 / (2.0 * 5.0 / 7.0 * rendering::kStandardGravity_m_per_s2 * 1e-3 / 0.02);
+  const auto world = run(600);
+  EXPECT_NEAR(world->body(1)->motion().center_W.x(), stop_m, 0.01 * stop_m);
+  EXPECT_TRUE(
+      contains(refusal_of(kCube + "[object.body]\nrolling_friction_m = 2.0\n"), "scene.toml:6: "));
+  EXPECT_TRUE(contains(refusal_of(kCube + "[object.body]\nspinning_friction_mm = 2.0\n"),
+                       "write spinning_friction_m = 0.002"));
+}
+
 TEST_F(BodyScene, RefusesWhatCannotBeABody) {
   EXPECT_TRUE(
       contains(refusal_of(kCube + "motion = { spin_rad_per_s = [0.0, 1.0, 0.0] }\n[object.body]\n"),

@@ -1,0 +1,74 @@
+#include "rendering/bodies/turn_friction.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace tactus::rendering {
+namespace {
+
+// Returns the torques within the limits that the push of all points allows.
+Vec3 within_limits(const BodyContact& contact, const Vec3& torque) {
+  double push = 0.0;
+  for (const SolvedPoint& point : std::span(contact.points).first(contact.count)) {
+    push += point.push;
+  }
+  const double most_spin = contact.surface.spinning_m * push;
+  const double most_roll = contact.surface.rolling_m * push;
+  const double roll = std::sqrt(torque[1] * torque[1] + torque[2] * torque[2]);
+  const double share = roll > most_roll ? most_roll / roll : 1.0;
+  return {std::clamp(torque[0], -most_spin, most_spin), share * torque[1], share * torque[2]};
+}
+
+void apply_change(BodyContact& contact, const Vec3& torque, SolverBody& a, SolverBody& b) {
+  for (std::size_t k = 0; k < 3; ++k) {
+    const auto i = static_cast<Eigen::Index>(k);
+    push_apart(contact.pushes_a, a, b, contact.about[k], torque[i] - contact.torque[i]);
+  }
+  contact.torque = torque;
+}
+
+}  // namespace
+
+void begin_turning(const PastContact* before, const SolverBody& a, const SolverBody& b,
+                   BodyContact& contact) {
+  Vec3 torque_W = Vec3::Zero();
+  for (std::size_t k = 0; k < 3; ++k) {
+    PushDirection& about = contact.about[k];
+    about.on_a = torque_wrench(-contact.axes_W[k]);
+    about.on_b = torque_wrench(contact.axes_W[k]);
+    set_answers(contact.pushes_a, a, b, about);
+    set_mass(contact.pushes_a, about);
+    if (before != nullptr) {
+      torque_W += before->torque[static_cast<Eigen::Index>(k)] * before->axes_W[k];
+    }
+  }
+  contact.torque = {torque_W.dot(contact.axes_W[0]), torque_W.dot(contact.axes_W[1]),
+                    torque_W.dot(contact.axes_W[2])};
+}
+
+void warm_start_turning(BodyContact& contact, SolverBody& a, SolverBody& b) {
+  const bool has_springs = a.has_springs() || b.has_springs();
+  const Vec3 torque = within_limits(contact, contact.torque);
+  contact.torque.setZero();
+  for (PushDirection& about : contact.about) {
+    if (has_springs) {
+      set_answers(contact.pushes_a, a, b, about);
+    }
+  }
+  apply_change(contact, torque, a, b);
+}
+
+void solve_turning(BodyContact& contact, SolverBody& a, SolverBody& b) {
+  Vec3 wanted = contact.torque;
+  for (std::size_t k = 0; k < 3; ++k) {
+    wanted[static_cast<Eigen::Index>(k)] -= contact.about[k].mass * parting(a, b, contact.about[k]);
+  }
+  apply_change(contact, within_limits(contact, wanted), a, b);
+}
+
+Vec3 turning_torque_W(const BodyContact& contact) {
+  return contact.torque[0] * contact.axes_W[0] + contact.torque[1] * contact.axes_W[1] +
+         contact.torque[2] * contact.axes_W[2];
+}
+
+}  // namespace tactus::rendering
