@@ -14,38 +14,6 @@ constexpr int kPasses = 2;
 // damped far beyond its critical damping.
 constexpr double kContactShare = 0.25;
 constexpr double kContactDamping = 10.0;
-// Surfaces nearer than this, and what their motion in a tick may close, are looked at, m.
-constexpr double kMargin_m = 5e-4;
-// A contact goes on from tick to tick while its normal turns by less than the arccosine of this.
-constexpr double kSameContact = 0.5;
-
-// Returns the friction and the restitution of two surfaces: the geometric mean of the coefficients,
-// and the larger of the other numbers.
-ContactSurface surface_of(const ContactSurface& a, const ContactSurface& b) {
-  return {.friction = std::sqrt(a.friction * b.friction),
-          .restitution = std::max(a.restitution, b.restitution),
-          .rolling_m = std::max(a.rolling_m, b.rolling_m),
-          .spinning_m = std::max(a.spinning_m, b.spinning_m)};
-}
-
-// Returns the largest speed of a point of a solid.
-double fastest(const SolverBody& solid, const PlacedHull& hull) {
-  const double reach = (hull.middle_W() - solid.center_W()).norm() + hull.reach_m();
-  return solid.velocity().head<3>().norm() + reach * solid.velocity().tail<3>().norm();
-}
-
-// Returns the largest speed of a point that a solid carries along, within a hull's reach.
-double fastest_at(const SolverBody& solid, const PlacedHull& hull) {
-  return solid.velocity_at(hull.middle_W() - solid.center_W()).norm() +
-         hull.reach_m() * solid.velocity().tail<3>().norm();
-}
-
-// Returns the pose of a frame, seen from another one.
-RigidPose seen_from(const RigidPose& X_WO, const RigidPose& X_WB) {
-  return {.rotation = X_WO.rotation.transpose() * X_WB.rotation,
-          .translation = X_WO.point_in(X_WB.translation)};
-}
-
 bool is_hull(const ConvexHull& hull) {
   return !hull.vertices_O.empty() && hull.vertices_O.size() <= kMaxHullVertices;
 }
@@ -58,7 +26,9 @@ void BodyWorld::clear() {
   gravity_W_ = Vec3::Zero();
   contact_count_ = 0;
   left_out_ = false;
+  obstacle_moves_.fill(false);
   grips_.clear(0.0);
+  sleep_.start(0.0);
 }
 
 bool BodyWorld::add_body(const BodyStart& start) {
@@ -80,15 +50,37 @@ bool BodyWorld::add_obstacle(const BodyObstacle& obstacle) {
   return true;
 }
 
-void BodyWorld::set_obstacle(std::size_t obstacle, const RigidPose& X_WO, const Twist& twist) {
+void BodyWorld::set_obstacle(std::size_t obstacle, const RigidPose& X_WO, const Twist& twist,
+                             bool moves) {
   obstacles_[obstacle].X_WO = X_WO;
   obstacles_[obstacle].twist = twist;
+  obstacle_moves_[obstacle] = moves;
+}
+
+void BodyWorld::take_body(std::size_t body) {
+  solids_[body].take(bodies_[body]);
+  shifts_[body] = {};
 }
 
 void BodyWorld::step(double tick_s, std::span<const FingerGrip> grips, std::span<Vec3> forces_W) {
-  for (std::size_t i = 0; i < body_count_; ++i) {
-    solids_[i].take(bodies_[i]);
-    shifts_[i] = {};
+  for (const FingerGrip& grip : grips) {
+    sleep_.wake(grip.body);
+  }
+  list_awake();
+  if (!is_all_asleep()) {
+    step_awake(tick_s, grips);
+  } else {
+    contact_count_ = 0;
+    left_out_ = false;
+  }
+  for (std::size_t i = 0; i < forces_W.size(); ++i) {
+    forces_W[i] = grips_.force_on_hand(i, tick_s);
+  }
+}
+
+void BodyWorld::step_awake(double tick_s, std::span<const FingerGrip> grips) {
+  for (const std::uint8_t i : awake()) {
+    take_body(i);
   }
   for (std::size_t i = 0; i < obstacle_count_; ++i) {
     solids_[body_count_ + i].take_obstacle(obstacles_[i].X_WO.translation, obstacles_[i].twist);
@@ -101,9 +93,7 @@ void BodyWorld::step(double tick_s, std::span<const FingerGrip> grips, std::span
   for (int i = 0; i < kSubSteps; ++i) {
     sub_step(step_s, i + 1 == kSubSteps);
   }
-  for (std::size_t i = 0; i < forces_W.size(); ++i) {
-    forces_W[i] = grips_.force_on_hand(i, tick_s);
-  }
+  rest_bodies(tick_s, grips);
 }
 
 std::size_t BodyWorld::point_count() const {
@@ -114,101 +104,11 @@ std::size_t BodyWorld::point_count() const {
   return count;
 }
 
-void BodyWorld::find_contacts(double tick_s) {
-  std::transform(contacts_.begin(), contacts_.begin() + static_cast<std::ptrdiff_t>(contact_count_),
-                 contacts_before_.begin(), past_of);
-  contact_count_before_ = contact_count_;
-  contact_count_ = 0;
-  left_out_ = false;
-  const auto solid_count = static_cast<std::uint16_t>(body_count_ + obstacle_count_);
-  std::array<double, kMostSolids> margins{};
-  for (std::uint16_t i = 0; i < solid_count; ++i) {
-    const bool is_body = i < body_count_;
-    const ConvexHull& hull = is_body ? starts_[i].body.hull : obstacles_[i - body_count_].hull;
-    if (!hull.vertices_O.empty()) {
-      hulls_[i].place(hull, is_body ? bodies_[i].pose() : obstacles_[i - body_count_].X_WO);
-      margins[i] = tick_s * fastest(solids_[i], hulls_[i]);
-    }
-  }
-  const auto body_count = static_cast<std::uint16_t>(body_count_);
-  for (std::uint16_t b = 0; b < body_count; ++b) {
-    for (std::uint16_t a = 0; a < solid_count; ++a) {
-      if (a < b || a >= body_count_) {
-        const bool has_hull =
-            a < body_count_ || !obstacles_[a - body_count_].hull.vertices_O.empty();
-        const double speed = has_hull ? 0.0 : fastest_at(solids_[a], hulls_[b]);
-        find_contacts_with(a, b, kMargin_m + margins[a] + margins[b] + tick_s * speed);
-      }
-    }
-  }
-}
-
-void BodyWorld::find_contacts_with(std::uint16_t a, std::uint16_t b, double margin_m) {
-  if (a < body_count_) {
-    add_contact(a, b, manifold_of(hulls_[a], hulls_[b], margin_m));
-    return;
-  }
-  const BodyObstacle& obstacle = obstacles_[a - body_count_];
-  const RigidPose& X_WO = obstacle.X_WO;
-  const bool is_mesh = !obstacle.mesh.triangles.empty();
-  if (is_mesh || obstacle.field.is_there()) {
-    seen_.place(starts_[b].body.hull, seen_from(X_WO, bodies_[b].pose()));
-    const auto manifolds = is_mesh
-                               ? mesh_contact_.find(obstacle.mesh, obstacle.sides, seen_, margin_m)
-                               : field_contact_.find(obstacle.field, seen_, margin_m);
-    for (const Manifold& manifold : manifolds) {
-      add_contact(a, b, manifold, X_WO);
-    }
-    left_out_ = left_out_ || (is_mesh && mesh_contact_.has_left_out());
-  } else if (obstacle.hull.vertices_O.empty()) {
-    add_contact(a, b,
-                manifold_of(X_WO.point(obstacle.plane_O.translation),
-                            X_WO.direction(obstacle.plane_O.rotation.col(1)), hulls_[b], margin_m));
-  } else {
-    add_contact(a, b, manifold_of(hulls_[a], hulls_[b], margin_m));
-  }
-}
-
-void BodyWorld::add_contact(std::uint16_t a, std::uint16_t b, Manifold manifold,
-                            const RigidPose& X_WO) {
-  manifold.normal_W = X_WO.direction(manifold.normal_W);
-  for (ManifoldPoint& point : std::span(manifold.points).first(manifold.count)) {
-    point.point_W = X_WO.point(point.point_W);
-  }
-  add_contact(a, b, manifold);
-}
-
-void BodyWorld::add_contact(std::uint16_t a, std::uint16_t b, const Manifold& manifold) {
-  if (manifold.count == 0) {
-    return;
-  }
-  if (contact_count_ == kMaxBodyContacts) {
-    left_out_ = true;
-    return;
-  }
-  // The same contact in the last tick: of several the one with the most similar normal.
-  const PastContact* before = nullptr;
-  double likeness = kSameContact;
-  for (const PastContact& old : std::span(contacts_before_).first(contact_count_before_)) {
-    if (old.a == a && old.b == b && old.axes_W[0].dot(manifold.normal_W) > likeness) {
-      before = &old;
-      likeness = old.axes_W[0].dot(manifold.normal_W);
-    }
-  }
-  const ContactSurface& of_a =
-      a < body_count_ ? starts_[a].surface : obstacles_[a - body_count_].surface;
-  BodyContact& contact = contacts_[contact_count_++];
-  contact.a = a;
-  contact.b = b;
-  contact.surface = surface_of(of_a, starts_[b].surface);
-  begin_contact(manifold, solids_, before, contact);
-}
-
 void BodyWorld::sub_step(double step_s, bool is_last) {
   const auto contacts = std::span(contacts_).first(contact_count_);
   const ContactSoftness softness =
       contact_softness(kContactShare / step_s, kContactDamping, step_s);
-  for (std::size_t i = 0; i < body_count_; ++i) {
+  for (const std::uint8_t i : awake()) {
     bodies_[i].accelerate(gravity_W_, step_s);
     solids_[i].begin(bodies_[i]);
   }
@@ -230,7 +130,7 @@ void BodyWorld::sub_step(double step_s, bool is_last) {
     }
   }
   sum_impulses();
-  for (std::uint32_t i = 0; i < body_count_; ++i) {
+  for (const std::uint8_t i : awake()) {
     const Vec6 impulse = pushed_[i] + grips_.impulse_on(i, solids_);
     bodies_[i].push(impulse.head<3>(), impulse.tail<3>());
   }
@@ -249,7 +149,7 @@ void BodyWorld::solve_contacts(double step_s, const ContactSoftness* softness) {
 // The velocities of a body that no springs hold have changed by the contacts' impulses alone.
 void BodyWorld::sum_impulses() {
   bool any_springs = false;
-  for (std::size_t i = 0; i < body_count_; ++i) {
+  for (const std::uint8_t i : awake()) {
     any_springs = any_springs || solids_[i].has_springs();
     pushed_[i].setZero();
   }
@@ -257,7 +157,7 @@ void BodyWorld::sum_impulses() {
     add_impulses(contacts_[i], pushed_);
   }
   grips_.add_spins(pushed_);
-  for (std::size_t i = 0; i < body_count_; ++i) {
+  for (const std::uint8_t i : awake()) {
     if (!solids_[i].has_springs()) {
       pushed_[i] =
           solids_[i].impulse_since(bodies_[i].motion().velocity_W, bodies_[i].angular_velocity_W());
@@ -267,7 +167,7 @@ void BodyWorld::sum_impulses() {
 
 // The bodies' own velocities change only at the end of the sub-step: here a copy moves.
 void BodyWorld::move_bodies(double step_s) {
-  for (std::uint32_t i = 0; i < body_count_; ++i) {
+  for (const std::uint8_t i : awake()) {
     RigidBody moving = bodies_[i];
     const Vec6 impulse = pushed_[i] + grips_.impulse_on(i, solids_);
     moving.push(impulse.head<3>(), impulse.tail<3>());

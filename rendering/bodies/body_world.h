@@ -8,6 +8,7 @@
 #include <span>
 
 #include "rendering/bodies/body_contact.h"
+#include "rendering/bodies/body_sleep.h"
 #include "rendering/bodies/field_contact.h"
 #include "rendering/bodies/finger_grip.h"
 #include "rendering/bodies/mesh_contact.h"
@@ -62,13 +63,22 @@ class BodyWorld {
   // vertices. Its views must stay alive and unchanged.
   bool add_body(const BodyStart& start);
   bool add_obstacle(const BodyObstacle& obstacle);
-  // Sets the gravity, m/s^2; zero by default.
-  void set_gravity(const Vec3& gravity_W) { gravity_W_ = gravity_W; }
+  // Sets the gravity, m/s^2; zero by default. All bodies wake.
+  void set_gravity(const Vec3& gravity_W) {
+    gravity_W_ = gravity_W;
+    sleep_.wake_all();
+  }
+  // Lets bodies fall asleep after so long a rest, s (body_sleep.h); 0: never, as by default.
+  void set_sleep(double after_s) { sleep_.start(after_s); }
+  // Wakes a body with its island.
+  void wake(std::size_t body) { sleep_.wake(body); }
   // Makes the fingers soft (finger_grip.h), with this yield, m^3/N; 0: points.
   void set_soft_fingers(double yield_m3_per_N) { grips_.clear(yield_m3_per_N); }
 
-  // Sets the place of an obstacle that moves, from the next step on.
-  void set_obstacle(std::size_t obstacle, const RigidPose& X_WO, const Twist& twist);
+  // Sets the place of an obstacle from the next step on. It wakes the bodies that it touches if
+  // `moves`.
+  void set_obstacle(std::size_t obstacle, const RigidPose& X_WO, const Twist& twist,
+                    bool moves = true);
 
   // Computes one tick of `tick_s` > 0 with what fingers do in it, and writes the force of each grip
   // on the hand to `forces_W`: minus the sum of its impulses on the body, over the tick, N. Forces
@@ -77,6 +87,8 @@ class BodyWorld {
 
   // Returns the bodies, in the order in which they were added.
   [[nodiscard]] std::span<const RigidBody> bodies() const { return {bodies_.data(), body_count_}; }
+  // Returns true if a body sleeps: it is where it was, at rest.
+  [[nodiscard]] bool is_asleep(std::size_t body) const { return sleep_.is_asleep(body); }
   // Returns true if the last step had more than kMaxBodyContacts, and left out the last ones, or
   // found more than kMaxNearTriangles of a mesh near a body.
   [[nodiscard]] bool has_left_out_contacts() const { return left_out_; }
@@ -88,8 +100,43 @@ class BodyWorld {
   void transfer(StateArchive& archive);
 
  private:
-  // Finds the contacts of this tick, and takes over the impulses of the last.
+  // Solids are numbered: first the bodies, then the obstacles.
+  static constexpr std::size_t kMostSolids = kMaxBodies + kMaxObstacles;
+  // For each solid how far it may move in the tick, m.
+  using Margins = std::array<double, kMostSolids>;
+
+  // Computes a tick with the bodies that are awake; some may wake in it.
+  void step_awake(double tick_s, std::span<const FingerGrip> grips);
+  // Returns the numbers of the bodies that are awake in this step.
+  [[nodiscard]] std::span<const std::uint8_t> awake() const {
+    return {awake_.data(), awake_count_};
+  }
+  // Lists the bodies that are awake.
+  void list_awake();
+  // Prepares a body to be solved in this tick.
+  void take_body(std::size_t body);
+  // Returns true if a solid is an obstacle that moves in this tick.
+  [[nodiscard]] bool is_moving_obstacle(std::size_t solid) const {
+    return solid >= body_count_ && obstacle_moves_[solid - body_count_];
+  }
+  // Returns true if no body is awake and nothing moves that could wake one.
+  [[nodiscard]] bool is_all_asleep() const;
+  // Wakes the bodies that bodies awake, or obstacles that move, touch.
+  void wake_neighbours(double tick_s, Margins& margins);
+  // Returns true if the solid touches a body that sleeps, or will in this tick.
+  bool wakes(std::uint16_t solid, std::uint16_t sleeper, double tick_s, const Margins& margins);
+  // Lets the bodies fall asleep that have been at rest long enough.
+  void rest_bodies(double tick_s, std::span<const FingerGrip> grips);
+
+  // Finds the contacts of this tick.
   void find_contacts(double tick_s);
+  // Keeps the contacts of the last tick for their impulses.
+  void remember_contacts();
+  // Places the hull of a solid that has one, and returns how far it may move in the tick, m.
+  double place_hull(std::uint16_t solid, double tick_s);
+  // Returns the margin within which two solids may meet in this tick, m.
+  [[nodiscard]] double margin_of(std::uint16_t a, std::uint16_t b, double tick_s,
+                                 const Margins& margins) const;
   // Finds the contacts of body b with a body, or with an obstacle, that its surface may reach
   // within the margin.
   void find_contacts_with(std::uint16_t a, std::uint16_t b, double margin_m);
@@ -105,9 +152,6 @@ class BodyWorld {
   // Moves the bodies by the velocities that are solved so far.
   void move_bodies(double step_s);
 
-  // Solids are numbered: first the bodies, then the obstacles.
-  static constexpr std::size_t kMostSolids = kMaxBodies + kMaxObstacles;
-
   std::array<BodyStart, kMaxBodies> starts_;
   std::array<RigidBody, kMaxBodies> bodies_;
   std::size_t body_count_ = 0;
@@ -118,10 +162,15 @@ class BodyWorld {
   std::array<BodyContact, kMaxBodyContacts> contacts_;
   std::size_t contact_count_ = 0;
   bool left_out_ = false;
+  BodySleep sleep_;
 
   // Members that live for a step only.
-  std::array<PastContact, kMaxBodyContacts> contacts_before_;
+  std::array<bool, kMaxObstacles> obstacle_moves_{};
+  std::array<std::uint8_t, kMaxBodies> awake_{};
+  std::size_t awake_count_ = 0;
+  std::array<PastContact, 2 * kMaxBodyContacts> contacts_before_;
   std::size_t contact_count_before_ = 0;
+  // The hulls of bodies that sleep stay where they are.
   std::array<PlacedHull, kMostSolids> hulls_;
   std::array<SolverBody, kMostSolids> solids_;
   std::array<Shift, kMostSolids> shifts_;

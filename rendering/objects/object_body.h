@@ -43,6 +43,15 @@ constexpr bool is_finger_modulus(double modulus_Pa) {
          (modulus_Pa >= kLeastFingerModulus_Pa && modulus_Pa <= std::numeric_limits<double>::max());
 }
 
+// The shortest rest after which bodies may fall asleep, s. A body that turns back in its flight is
+// at rest for less than a millisecond.
+inline constexpr double kLeastSleepAfter_s = 0.01;
+// Returns true if bodies may fall asleep after such a rest; 0 stands for never. NaN may not.
+constexpr bool is_sleep_time(double after_s) {
+  return after_s == 0.0 ||
+         (after_s >= kLeastSleepAfter_s && after_s <= std::numeric_limits<double>::max());
+}
+
 // The largest torque of rolling or spinning friction over the normal force, m.
 inline constexpr double kMostTurnFriction_m = 1.0;
 

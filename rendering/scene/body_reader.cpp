@@ -66,6 +66,10 @@ double read_finger_modulus(double stored) {
   return is_finger_modulus(stored) ? stored : 0.0;
 }
 
+double read_sleep_time(double stored) {
+  return is_sleep_time(stored) ? stored : 0.0;
+}
+
 std::expected<ObjectBody, SceneError> read_body(const image::Body& stored, const Object& object) {
   if (!is_aligned(stored.hull_vertices()) || !is_aligned(stored.hull_faces())) {
     return fail(SceneFault::malformed);

@@ -17,6 +17,9 @@ Vec3 read_gravity(const image::Double3* stored);
 // Returns the modulus of soft fingers, Pa: 0 where it is none that fingers may have.
 double read_finger_modulus(double stored);
 
+// Returns the rest after which bodies fall asleep, s: 0 where it is none that they may have.
+double read_sleep_time(double stored);
+
 // Returns the body of an object whose surface, method and motion are read; its hull is used in
 // place. Errors: body, malformed.
 std::expected<ObjectBody, SceneError> read_body(const image::Body& stored, const Object& object);

@@ -184,6 +184,7 @@ Result SceneImage::take(const image::Scene& scene) {
   }
   gravity_W_ = read_gravity(scene.gravity());
   soft_finger_modulus_Pa_ = read_finger_modulus(scene.soft_finger_modulus());
+  sleep_after_s_ = read_sleep_time(scene.sleep_after());
   const std::expected<Needle, SceneError> needle = read_needle(scene.needle());
   if (!needle) {
     return std::unexpected(needle.error());

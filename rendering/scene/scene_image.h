@@ -74,6 +74,9 @@ class SceneImage {
   // Returns the effective modulus of soft fingers, Pa; 0 for fingers that touch in a point.
   [[nodiscard]] double soft_finger_modulus_Pa() const { return soft_finger_modulus_Pa_; }
 
+  // Returns the rest after which bodies fall asleep, s; 0: never.
+  [[nodiscard]] double sleep_after_s() const { return sleep_after_s_; }
+
   // Returns the needle of the tools, and the tissues, to which the objects refer.
   [[nodiscard]] NeedleScene needle() const {
     return {.needle = needle_, .tissues = std::span(tissues_).first(tissue_count_)};
@@ -111,6 +114,7 @@ class SceneImage {
   std::array<Effect, kMaxEffects> effects_{};
   Vec3 gravity_W_ = standard_gravity_W();
   double soft_finger_modulus_Pa_ = 0.0;
+  double sleep_after_s_ = 0.0;
   std::size_t body_count_ = 0;
   std::array<ObjectBody, kMaxBodies> bodies_{};
   Needle needle_;

@@ -13,6 +13,7 @@ inline WorldConfig world_of(const SceneImage& scene) {
           .bodies = scene.bodies(),
           .gravity_W = scene.gravity_W(),
           .soft_finger_modulus_Pa = scene.soft_finger_modulus_Pa(),
+          .sleep_after_s = scene.sleep_after_s(),
           .needle = scene.needle()};
 }
 

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <span>
 
+#include "rendering/bodies/body_sleep.h"
 #include "rendering/bodies/body_world.h"
 #include "rendering/state_archive.h"
 #include "rendering/world/world_bodies.h"
@@ -36,6 +37,28 @@ void transfer_contact(StateArchive& archive, BodyContact& contact, std::uint16_t
 
 }  // namespace
 
+// Islands are numbered by their smallest body; a state in which one is not is refused.
+void BodySleep::transfer(StateArchive& archive, std::uint16_t bodies, std::uint16_t solids) {
+  if (!is_on()) {
+    return;
+  }
+  for (std::size_t i = 0; i < bodies; ++i) {
+    archive(still_s_[i], island_[i]);
+    archive.require(island_[i] == kAwake || island_[i] <= i);
+    island_[i] = archive.good() ? island_[i] : kAwake;
+  }
+  archive.up_to(contact_count_, kMaxBodyContacts);
+  for (PastContact& contact : std::span(contacts_).first(contact_count_)) {
+    archive.up_to(contact.a, solids);
+    archive.up_to(contact.b, static_cast<std::uint16_t>(std::max<int>(bodies, 1) - 1));
+    archive(contact.axes_W, contact.torque);
+    archive.up_to(contact.count, kManifoldPoints);
+    for (PastPoint& point : std::span(contact.points).first(contact.count)) {
+      archive(point.arm_b_W, point.push, point.rub);
+    }
+  }
+}
+
 void BodyWorld::transfer(StateArchive& archive) {
   archive.same(body_count_);
   archive.same(obstacle_count_);
@@ -51,6 +74,12 @@ void BodyWorld::transfer(StateArchive& archive) {
     transfer_contact(archive, contacts_[i], solids, any_resists_turning);
   }
   grips_.transfer(archive, static_cast<std::uint32_t>(body_count_));
+  sleep_.transfer(archive, static_cast<std::uint16_t>(body_count_), solids);
+  for (std::size_t i = 0; archive.is_reading() && i < body_count_; ++i) {
+    if (sleep_.is_asleep(i)) {
+      hulls_[i].place(starts_[i].body.hull, bodies_[i].pose());
+    }
+  }
 }
 
 void WorldBodies::transfer(StateArchive& archive) {

@@ -20,7 +20,8 @@ BodyLaws laws_of(const WorldConfig& config) {
   const double modulus_Pa = config.soft_finger_modulus_Pa;
   return {
       .gravity_W = config.gravity_W,
-      .finger_yield_m3_per_N = modulus_Pa > 0.0 ? 0.75 * config.tool_radius_m / modulus_Pa : 0.0};
+      .finger_yield_m3_per_N = modulus_Pa > 0.0 ? 0.75 * config.tool_radius_m / modulus_Pa : 0.0,
+      .sleep_after_s = config.sleep_after_s};
 }
 
 }  // namespace
@@ -37,7 +38,7 @@ bool World::set_scene(std::span<const Object> objects, const WorldConfig& config
       is_tool_radius(config.tool_radius_m) && config.tool_count >= 1 &&
       config.tool_count <= tool_capacity() && config.effects.size() <= kMaxEffects &&
       config.gravity_W.allFinite() && is_finger_modulus(config.soft_finger_modulus_Pa) &&
-      valid(config.needle, objects) &&
+      is_sleep_time(config.sleep_after_s) && valid(config.needle, objects) &&
       std::ranges::all_of(config.effects, [](const Effect& effect) { return valid(effect); });
   bool good = scene_.set(good_config ? objects : std::span<const Object>{}) && good_config;
   if (!bodies_.set(scene_, config.bodies, laws_of(config))) {

@@ -39,6 +39,8 @@ struct WorldConfig {
   // The effective modulus of fingers that are soft, Pa (finger_grip.h); 0 for fingers that touch in
   // a point, as those without a radius do.
   double soft_finger_modulus_Pa = 0.0;
+  // How long bodies are at rest before they fall asleep, s; 0: never (body_sleep.h).
+  double sleep_after_s = 0.0;
   // The needle of every tool, and the tissues among the objects, each once. The caller keeps the
   // tissues alive.
   NeedleScene needle;
@@ -94,6 +96,7 @@ class World {
   // Sets the pose and velocity of an object that `moves` from the next tick on. Returns false if
   // SceneObjects::set_pose refuses.
   bool set_pose(std::uint32_t object, const RigidPose& X_WO, const Twist& twist) {
+    bodies_.wake(object);
     return scene_.set_pose(object, X_WO, twist);
   }
 

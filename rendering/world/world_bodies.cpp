@@ -25,6 +25,7 @@ bool WorldBodies::set(const SceneObjects& scene, std::span<const ObjectBody> bod
   obstacle_count_ = 0;
   bodies_.set_gravity(laws.gravity_W);
   bodies_.set_soft_fingers(laws.finger_yield_m3_per_N);
+  bodies_.set_sleep(laws.sleep_after_s);
   const auto numbers = std::views::iota(0U, static_cast<std::uint32_t>(scene.size()));
   const bool any_body =
       std::ranges::any_of(numbers, [&](std::uint32_t number) { return is_body(scene[number]); });
@@ -82,6 +83,14 @@ bool WorldBodies::add(const SceneObjects& scene, std::uint32_t number, const Obj
        .twist = {}});
 }
 
+void WorldBodies::wake(std::uint32_t object) {
+  const auto numbers = std::span(body_objects_).first(bodies_.bodies().size());
+  const auto found = std::ranges::find(numbers, object);
+  if (found != numbers.end()) {
+    bodies_.wake(static_cast<std::size_t>(found - numbers.begin()));
+  }
+}
+
 const RigidBody* WorldBodies::of(std::uint32_t object) const {
   const auto bodies = bodies_.bodies();
   const auto numbers = std::span(body_objects_).first(bodies.size());
@@ -100,7 +109,9 @@ void WorldBodies::place(SceneObjects& scene) const {
 void WorldBodies::step(const SceneObjects& scene, std::span<ToolGrips> tools) {
   for (std::size_t i = 0; i < obstacle_count_; ++i) {
     if (const Mover* const mover = scene.mover_of(obstacle_objects_[i]); mover != nullptr) {
-      bodies_.set_obstacle(i, mover->X_WO, mover->twist);
+      const bool moves = mover->moved || mover->twist.linear_W != Vec3::Zero() ||
+                         mover->twist.angular_W != Vec3::Zero();
+      bodies_.set_obstacle(i, mover->X_WO, mover->twist, moves);
     }
   }
   std::array<FingerGrip, kMostGrips> grips;

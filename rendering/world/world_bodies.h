@@ -22,6 +22,8 @@ struct BodyLaws {
   Vec3 gravity_W = standard_gravity_W();
   // The yield of soft fingers, m^3/N; 0 for fingers that touch in a point (finger_grip.h).
   double finger_yield_m3_per_N = 0.0;
+  // How long bodies are at rest before they fall asleep, s; 0: never (body_sleep.h).
+  double sleep_after_s = 0.0;
 };
 
 // Every object that names an ObjectBody is a body; every other object is an obstacle to bodies,
@@ -39,6 +41,9 @@ class WorldBodies {
   [[nodiscard]] const RigidBody* of(std::uint32_t object) const;
   // Returns the bodies' world.
   [[nodiscard]] const BodyWorld& bodies() const { return bodies_; }
+
+  // Wakes the body of an object that has one.
+  void wake(std::uint32_t object);
 
   // Moves the objects to where their bodies are. Call it before SceneObjects::begin_tick().
   void place(SceneObjects& scene) const;

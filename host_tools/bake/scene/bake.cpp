@@ -236,6 +236,7 @@ BakedImage bake_scene(const SceneDescription& description, const Progress& progr
                    .effects = description.effects,
                    .gravity_W = description.gravity_W,
                    .soft_finger_modulus_Pa = description.soft_finger_modulus_Pa,
+                   .sleep_after_s = description.sleep_after_s,
                    .needle = description.needle};
   // Counted twice: first without the sizes of meshes, so that a scene with too many objects is
   // refused before minutes of baking, then with them.

@@ -231,7 +231,7 @@ std::vector<std::byte> write_image(const BakedScene& scene) {
   const auto root = image::CreateScene(builder, scene.tool_radius_m, builder.CreateVector(objects),
                                        static_cast<std::uint8_t>(scene.tool_count), effects,
                                        gravity ? &*gravity : nullptr, needle ? &*needle : nullptr,
-                                       scene.soft_finger_modulus_Pa);
+                                       scene.soft_finger_modulus_Pa, scene.sleep_after_s);
   image::FinishSceneBuffer(builder, root);
   return with_header({builder.GetBufferPointer(), builder.GetSize()});
 }

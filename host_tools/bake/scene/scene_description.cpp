@@ -22,7 +22,8 @@ namespace {
 
 constexpr std::array kSceneKeys{KeySpec{"tool", ""}, KeySpec{"object", ""}, KeySpec{"effect", ""},
                                 KeySpec{"device", ""}, KeySpec{"world", ""}};
-constexpr std::array kWorldKeys{KeySpec{"gravity_m_per_s2", "m_per_s2"}};
+constexpr std::array kWorldKeys{KeySpec{"gravity_m_per_s2", "m_per_s2"},
+                                KeySpec{"sleep_after_s", "s"}};
 constexpr std::array kToolKeys{KeySpec{"radius_m", "m"}, KeySpec{"count", ""},
                                KeySpec{"needle", ""}, KeySpec{"soft_finger_modulus_Pa", "Pa"}};
 // The keys of an [[object]] that do not depend on its shape.
@@ -213,6 +214,30 @@ double read_finger_modulus(const TomlSection& tool, double radius_m) {
   return *modulus_Pa;
 }
 
+// Reads [world], if there is one, into the scene.
+void read_world(const TomlSection& section, SceneDescription& scene) {
+  const toml::table* const world = section.table("world");
+  if (world == nullptr) {
+    return;
+  }
+  const TomlSection world_section(*world, scene.file, "[world]", kWorldKeys);
+  scene.gravity_W = world_section.vector("gravity_m_per_s2");
+  if (scene.gravity_W && scene.gravity_W->norm() > rendering::kMostGravity_m_per_s2) {
+    world_section.fail("gravity_m_per_s2",
+                       fmt::format("the gravity is {} m/s^2, where {} is the most; the earth's "
+                                   "is [0.0, -9.80665, 0.0]",
+                                   scene.gravity_W->norm(), rendering::kMostGravity_m_per_s2));
+  }
+  scene.sleep_after_s = world_section.number("sleep_after_s", kZeroOrMore).value_or(0.0);
+  if (!rendering::is_sleep_time(scene.sleep_after_s)) {
+    world_section.fail(
+        "sleep_after_s",
+        fmt::format("bodies fall asleep after {} s, where {} s is the least; write 0 "
+                    "for bodies that never sleep",
+                    scene.sleep_after_s, rendering::kLeastSleepAfter_s));
+  }
+}
+
 }  // namespace
 
 SceneDescription parse_scene_description(std::string_view text, const std::filesystem::path& path) {
@@ -232,16 +257,7 @@ SceneDescription parse_scene_description(std::string_view text, const std::files
     scene.needle = read_needle(tool_section, scene.file);
     scene.soft_finger_modulus_Pa = read_finger_modulus(tool_section, scene.tool_radius_m);
   }
-  if (const toml::table* world = section.table("world")) {
-    const TomlSection world_section(*world, scene.file, "[world]", kWorldKeys);
-    scene.gravity_W = world_section.vector("gravity_m_per_s2");
-    if (scene.gravity_W && scene.gravity_W->norm() > rendering::kMostGravity_m_per_s2) {
-      world_section.fail("gravity_m_per_s2",
-                         fmt::format("the gravity is {} m/s^2, where {} is the most; the earth's "
-                                     "is [0.0, -9.80665, 0.0]",
-                                     scene.gravity_W->norm(), rendering::kMostGravity_m_per_s2));
-    }
-  }
+  read_world(section, scene);
   scene.device = read_device(section, scene.file);
   scene.effects = read_effects(root, section, scene.file);
   for (const toml::node& node : object_array(root, section)) {

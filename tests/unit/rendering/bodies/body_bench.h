@@ -88,6 +88,7 @@ class BodyBench {
     }
   }
   [[nodiscard]] const RigidBody& body(std::size_t i) const { return world_->bodies()[i]; }
+  [[nodiscard]] std::size_t bodies() const { return world_->bodies().size(); }
   BodyWorld& world() { return *world_; }
 
  private:

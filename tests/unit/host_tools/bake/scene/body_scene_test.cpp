@@ -191,6 +191,19 @@ TEST_F(BodyScene, RollsToAStopWhereItResistsRolling) {
                        "write spinning_friction_m = 0.002"));
 }
 
+TEST_F(BodyScene, FallsAsleepWhereTheWorldSaysSo) {
+  const std::string table = "[[object]]\nprimitive = \"plane\"\n";
+  bake(table + kCube + "position_m = [0.0, 0.02, 0.0]\n[object.body]\n");
+  EXPECT_FALSE(run(800)->bodies().is_asleep(0));
+  bake("[world]\nsleep_after_s = 0.3\n" + table + kCube +
+       "position_m = [0.0, 0.02, 0.0]\n[object.body]\n");
+  EXPECT_TRUE(run(800)->bodies().is_asleep(0));
+  EXPECT_TRUE(contains(refusal_of("[world]\nsleep_after_s = 0.001\n" + kCube),
+                       "scene.toml:2: [world]: bodies fall asleep after 0.001 s"));
+  EXPECT_TRUE(
+      contains(refusal_of("[world]\nsleep_after_ms = 300\n" + kCube), "write sleep_after_s = 0.3"));
+}
+
 TEST_F(BodyScene, RefusesWhatCannotBeABody) {
   EXPECT_TRUE(
       contains(refusal_of(kCube + "motion = { spin_rad_per_s = [0.0, 1.0, 0.0] }\n[object.body]\n"),
