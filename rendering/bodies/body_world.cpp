@@ -1,8 +1,5 @@
 #include "rendering/bodies/body_world.h"
 
-#include <algorithm>
-#include <cmath>
-
 namespace tactus::rendering {
 namespace {
 
