@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <map>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -49,10 +50,18 @@ inline std::string model(std::string_view name) {
                      has_static ? ", static = 0.4" : "");
 }
 
-inline std::vector<std::byte> baked(const std::string& text) {
-  return host::bake_scene(
-             host::parse_scene_description("[tool]\nradius_m = 0.002\n" + text, "scene.toml"), {})
-      .bytes;
+// Returns the image of a scene with these objects. A test that asks again gets the image made
+// before: cutting a formula into triangles takes long.
+inline const std::vector<std::byte>& baked(const std::string& objects) {
+  static std::map<std::string, std::vector<std::byte>> images;
+  const auto [image, is_new] = images.try_emplace(objects);
+  if (is_new) {
+    image->second =
+        host::bake_scene(
+            host::parse_scene_description("[tool]\nradius_m = 0.002\n" + objects, "scene.toml"), {})
+            .bytes;
+  }
+  return image->second;
 }
 
 // A controller with a scene, active.

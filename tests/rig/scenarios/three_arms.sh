@@ -42,7 +42,7 @@ run() {
   wait $emulators
 }
 
-run touch 5
+run touch 6
 [ $code -eq 0 ] || fail "tactusd ended with $code"
 bus_touch_check touch /results/touch.csv /results/touch.1.truth.csv 3 || exit 1
 bus_touch_check touch /results/touch.2.csv /results/touch.2.truth.csv 3 || exit 1
