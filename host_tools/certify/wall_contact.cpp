@@ -78,8 +78,9 @@ rendering::Object wall_object(const WallContact& contact, const WallStiffness& w
   rendering::Object object;
   object.surface = rendering::SurfaceKind::primitive;
   object.primitive.kind = rendering::PrimitiveKind::plane;
-  object.primitive.X_WO.rotation =
-      Eigen::Quaterniond::FromTwoVectors(Vec3::UnitY(), contact.normal_B).toRotationMatrix();
+  // The plane's outside is its own y-axis; the turn about the normal changes nothing.
+  const Vec3 along_B = contact.normal_B.unitOrthogonal();
+  object.primitive.X_WO.rotation << along_B, contact.normal_B, along_B.cross(contact.normal_B);
   object.material.stiffness_N_per_m = wall.stiffness_N_per_m;
   object.material.damping_Ns_per_m = wall.damping_Ns_per_m;
   return object;

@@ -1,9 +1,10 @@
 #include "tests/support/brute_force.h"
 
-#include <Eigen/Dense>
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace tactus::testing {
 namespace {
@@ -103,12 +104,30 @@ std::vector<Corners> corners_of(const Shape& shape) {
   return result;
 }
 
+// The least square of a triangle's height above its longer side, as a share of the side's square.
+constexpr double kFlatTriangle = 2e-31;
+
 Vec3 nearest_point(const Corners& t, const Vec3& q) {
-  Eigen::Matrix<double, 3, 2> basis;
-  basis << t.b - t.a, t.c - t.a;
-  const Eigen::Vector2d w = basis.colPivHouseholderQr().solve(q - t.a);
-  if (w.x() >= 0.0 && w.y() >= 0.0 && w.sum() <= 1.0) {
-    return t.a + basis * w;
+  // Least squares by the method of Gram and Schmidt, the longer side first. Its second pass takes
+  // away what rounding has left of that side in the shorter one.
+  Vec3 longer = t.b - t.a;
+  Vec3 shorter = t.c - t.a;
+  if (longer.squaredNorm() < shorter.squaredNorm()) {
+    std::swap(longer, shorter);
+  }
+  const double square = longer.squaredNorm();
+  double along = longer.dot(shorter) / square;
+  Vec3 across = shorter - along * longer;
+  const double rest = longer.dot(across) / square;
+  along += rest;
+  across -= rest * longer;
+  const Vec3 from_a = q - t.a;
+  const double of_shorter = across.dot(from_a) / across.squaredNorm();
+  const double of_longer = longer.dot(from_a - of_shorter * across) / square - along * of_shorter;
+  // Nothing but its sides is left of a triangle without an area.
+  const bool is_flat = across.squaredNorm() <= kFlatTriangle * square;
+  if (!is_flat && of_longer >= 0.0 && of_shorter >= 0.0 && of_longer + of_shorter <= 1.0) {
+    return t.a + of_longer * longer + of_shorter * shorter;
   }
   Vec3 best = nearest_on_segment(t.a, t.b, q);
   for (const Vec3& other : {nearest_on_segment(t.b, t.c, q), nearest_on_segment(t.c, t.a, q)}) {

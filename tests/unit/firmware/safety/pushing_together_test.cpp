@@ -56,8 +56,8 @@ Object cube(const Vec3& place_W, double stiffness_N_per_m) {
 // The half space below a height of 0 along the normal.
 Object plane(const Vec3& normal_W, double stiffness_N_per_m) {
   Object object = solid(PrimitiveKind::plane, Vec3::Zero(), {}, stiffness_N_per_m);
-  object.primitive.X_WO.rotation =
-      Eigen::Quaterniond::FromTwoVectors(Vec3::UnitY(), normal_W).toRotationMatrix();
+  const Vec3 along_W = normal_W.unitOrthogonal();
+  object.primitive.X_WO.rotation << along_W, normal_W, along_W.cross(normal_W);
   return object;
 }
 

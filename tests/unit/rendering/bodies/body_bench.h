@@ -47,7 +47,8 @@ class BodyBench {
 
   void add_plane(const Vec3& normal, double friction) {
     RigidPose pose;
-    pose.rotation = Eigen::Quaterniond::FromTwoVectors(Vec3::UnitY(), normal).toRotationMatrix();
+    const Vec3 along = normal.unitOrthogonal();
+    pose.rotation << along, normal, along.cross(normal);
     ASSERT_TRUE(world_->add_obstacle({.surface = {.friction = friction}, .X_WO = pose}));
   }
 

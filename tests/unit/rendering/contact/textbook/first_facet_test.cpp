@@ -63,7 +63,12 @@ SearchedCrossing search_all(const Shape& shape, Sides sides, const Vec3& from, c
     if (sides == Sides::one && front.dot(system.col(2)) <= 0.0L) {
       continue;
     }
-    const LongVec uvt = system.fullPivLu().solve(from.cast<long double>() - a);
+    // Cramer's rule; a segment along the plane gives no finite number, which is not inside.
+    const LongVec right = from.cast<long double>() - a;
+    const LongVec toward = system.col(2);
+    const LongVec uvt = LongVec(right.dot(LongVec(system.col(1)).cross(toward)),
+                                right.dot(toward.cross(LongVec(system.col(0)))), right.dot(front)) /
+                        front.dot(toward);
     const long double inside = std::min({uvt[0], uvt[1], 1.0L - uvt[0] - uvt[1]});
     const long double within = std::min(uvt[2], 1.0L - uvt[2]);
     if (inside < -kUnclear || within < -kUnclear) {
