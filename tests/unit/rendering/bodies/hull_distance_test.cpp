@@ -80,8 +80,10 @@ double searched_distance(const PlacedHull& a, const PlacedHull& b, RandomSolids&
 
 TEST(HullDistance, IsThatOfASearchOverAllAxes) {
   RandomSolids random(7);
+  // As many that some overlap, however small the share of the work is.
+  const int pairs = std::max(60, share_of(600));
   int overlaps = 0;
-  for (int i = 0; i < share_of(600); ++i) {
+  for (int i = 0; i < pairs; ++i) {
     const PlacedSolid a(random.solid(), random.pose(0.005));
     const PlacedSolid b(random.solid(), random.pose(random.number(0.0, 0.06)));
     const HullSeparation found = separation_of(a.placed, b.placed);
@@ -92,7 +94,7 @@ TEST(HullDistance, IsThatOfASearchOverAllAxes) {
     EXPECT_NEAR(found.normal_W.norm(), 1.0, 1e-12);
     EXPECT_NEAR((found.on_b_W - found.on_a_W).dot(found.normal_W), found.distance_m, 1e-9);
   }
-  EXPECT_GT(overlaps, share_of(100) / 2);
+  EXPECT_GT(overlaps, pairs / 12);
 }
 
 TEST(HullDistance, OfSpheresAndCapsulesIsTheClosedForm) {
