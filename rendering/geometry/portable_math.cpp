@@ -149,7 +149,8 @@ double logarithm(double x) {
 double cube_root(double x) {
   constexpr std::uint64_t kTwoThirdsOfBias = 0x2A9F'7893'0000'0000;
   constexpr int kIterations = 4;
-  if (!(x >= kSmallestCube && x <= kLargestCube)) {
+  const bool is_in_range = x >= kSmallestCube && x <= kLargestCube;
+  if (!is_in_range) {
     return 0.0;
   }
   auto root = std::bit_cast<double>(std::bit_cast<std::uint64_t>(x) / 3 + kTwoThirdsOfBias);

@@ -35,8 +35,8 @@ class RunLoopOfTwo : public ::testing::Test {
   template <class Hooks>
   LoopEnd run(const LoopConfig& config, Hooks& hooks) {
     timing_.set_period(config.phase.period_ns);
-    const std::array devices{&devices_[0], &devices_[1]};
-    const std::array watchdogs{&watchdogs_[0], &watchdogs_[1]};
+    const std::array devices{&devices_.front(), &devices_.back()};
+    const std::array watchdogs{&watchdogs_.front(), &watchdogs_.back()};
     return run_loop(
         config,
         {.controller = *controller_, .clock = clock_, .timing = timing_, .watchdogs = watchdogs},

@@ -83,7 +83,7 @@ TEST_F(DevicesTogether, ShareABusIfTheirDrivesHaveNumbersOfTheirOwn) {
   EXPECT_EQ(verdict({odrive_arm(0)}), "fit");
   EXPECT_EQ(verdict({odrive_arm(0), odrive_arm(3)}), "fit");
   expect_words({odrive_arm(0), odrive_arm(2)},
-               {"2 node_id is also that of axis \"c\" of device 1 (\"arm from 0\")"});
+               {R"(2 node_id is also that of axis "c" of device 1 ("arm from 0"))"});
   expect_words({odrive_arm(0), odrive_arm(3), odrive_arm(5)},
                {"3 node_id is also that of axis \"c\" of device 2"});
   // Another interface has another bus.
