@@ -27,7 +27,7 @@ bool DeviceSet::make(const Options& options) {
                  std::strerror(failed));
     return false;
   }
-  controller_.emplace(further_.controllers.all(), further_.tools.all());
+  controller_ = &made_controller_.emplace(further_.controllers.all(), further_.tools.all());
   all_[0] = &first_;
   for (std::size_t i = 1; i < options.device_count; ++i) {
     all_[i] = &further_.run.all()[i - 1];
@@ -102,19 +102,19 @@ bool DeviceSet::start_commands(const Options& options, SceneStore& scenes) {
   });
 }
 
-void DeviceSet::start_motors() {
+void DeviceSet::start_motors() const {
   for (RunDevice* const device : all()) {
     device->device().start();
   }
 }
 
-void DeviceSet::stop_motors() {
+void DeviceSet::stop_motors() const {
   for (RunDevice* const device : all()) {
     device->stop_motors();
   }
 }
 
-bool DeviceSet::stop_commands() {
+bool DeviceSet::stop_commands() const {
   bool have_ended = true;
   for (RunDevice* const device : all()) {
     have_ended = device->stop_commands() && have_ended;

@@ -33,12 +33,12 @@ class DeviceSet {
   // Opens the sockets of all devices; those of the first one reach the scene.
   bool start_commands(const Options& options, SceneStore& scenes);
   // Lets the boards begin.
-  void start_motors();
+  void start_motors() const;
 
   // Takes the torque away at once. The handler of crashes calls it, too.
-  void stop_motors();
+  void stop_motors() const;
   // Returns false if a command thread hangs, see CommandServer::stop.
-  bool stop_commands();
+  bool stop_commands() const;
   void stop_telemetry();
   // Prints the faults of the devices that are in mode `fault`, which must be stopped.
   void explain_faults(const Options& options) const;
@@ -67,7 +67,9 @@ class DeviceSet {
 
   RunDevice first_;
   Further further_;
-  std::optional<Controller> controller_;
+  std::optional<Controller> made_controller_;
+  // The controller of make(); null before.
+  Controller* controller_ = nullptr;
   FlightWriter flight_;
   std::array<RunDevice*, rendering::kMaxTools> all_{};
   std::array<TelemetryWriter*, rendering::kMaxTools> companions_{};

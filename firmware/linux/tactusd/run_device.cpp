@@ -24,7 +24,8 @@ bool RunDevice::open_boards(const Options& options) {
       0.5 / config().controller.rate_hz / static_cast<double>(options.device_count);
   const double read_limit_s = std::min(config().read_limit_s, share_s);
   const auto read_limit_ns = static_cast<hal::TimeNs>(read_limit_s * 1e9);
-  drivers::ComposedDevice& device = device_.emplace(boards_.clock(), read_limit_ns);
+  drivers::ComposedDevice& device = made_device_.emplace(boards_.clock(), read_limit_ns);
+  device_ = &device;
   auto opened = boards_.open(config(), inputs_.falcon_firmware(), device);
   if (opened) {
     opened = boards_.open_watchdog(config(), watchdog_);

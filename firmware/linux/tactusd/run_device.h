@@ -38,7 +38,7 @@ class RunDevice {
   void explain_fault(const Controller& controller, std::string_view name) const;
   // Takes the torque away at once. The handler of crashes calls it, too.
   void stop_motors() {
-    if (device_) {
+    if (device_ != nullptr) {
       device_->stop();
     }
   }
@@ -61,7 +61,9 @@ class RunDevice {
   std::size_t number_ = 0;
   DeviceInputs inputs_;
   LinuxBoards boards_;
-  std::optional<drivers::ComposedDevice> device_;
+  std::optional<drivers::ComposedDevice> made_device_;
+  // The device of open_boards(); null before.
+  drivers::ComposedDevice* device_ = nullptr;
   WatchdogOutput watchdog_;
   RunTelemetry telemetry_;
   CommandQueue queue_;

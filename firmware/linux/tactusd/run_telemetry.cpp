@@ -63,12 +63,12 @@ bool RunTelemetry::open_recording(const Options& options) {
   const std::size_t dot = std::min(path.rfind('.'), path.size());
   const std::string_view stem = path.substr(0, dot);
   const std::string_view ending = path.substr(dot);
-  if (device_ == 0) {
-    std::snprintf(record_.data(), record_.size(), "%s", options.record);
-  } else {
-    std::snprintf(record_.data(), record_.size(), "%.*s.%zu%.*s", length(stem), stem.data(),
-                  device_ + 1, length(ending), ending.data());
+  TextBuffer text{std::span(record_).first(record_.size() - 1)};
+  text.text(stem);
+  if (device_ > 0) {
+    text.text(".").number(device_ + 1);
   }
+  text.text(ending);
   return succeeds(record_.data(), writer_.record(record_.data()));
 }
 

@@ -86,8 +86,9 @@ TEST(PortableMath, TheLogarithmOfZeroAndBelowIsThatOfTheSmallestNumber) {
 // The cube of the root is the argument again.
 TEST(PortableMath, TheCubeRootIsTheOneWhoseCubeIsTheArgument) {
   for (double x = 1e-300; x < 1e300; x *= 1.37) {
-    const long double root = cube_root(x);
-    EXPECT_NEAR(static_cast<double>(root * root * root / x), 1.0, 3e-15) << x;
+    const auto root = static_cast<long double>(cube_root(x));
+    EXPECT_NEAR(static_cast<double>(root * root * root / static_cast<long double>(x)), 1.0, 3e-15)
+        << x;
   }
   EXPECT_EQ(cube_root(27.0), 3.0);
   EXPECT_EQ(cube_root(0.0), 0.0);

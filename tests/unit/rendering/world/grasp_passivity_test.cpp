@@ -41,8 +41,8 @@ struct HandMotion {
 // A cube between two fingers along x, all of it random.
 class RandomGrasping {
  public:
-  explicit RandomGrasping(std::mt19937_64& random) : random_(&random) {
-    half_m_ = between(0.005, 0.03);
+  explicit RandomGrasping(std::mt19937_64& random)
+      : random_(&random), half_m_(between(0.005, 0.03)), press_m_(between(0.0, 0.004)) {
     const double mass_kg = between(0.01, 0.5);
     body_.mass = {.mass_kg = mass_kg,
                   .inertia_C = 2.0 / 3.0 * mass_kg * half_m_ * half_m_ * Mat3::Identity()};
@@ -62,7 +62,6 @@ class RandomGrasping {
     for (HandMotion& hand : hands_) {
       hand = motion(unit() > 0.0 ? 0.0005 : 0.01);
     }
-    press_m_ = between(0.0, 0.004);
   }
 
   // Returns the most that a tick has made, J.
@@ -135,8 +134,8 @@ class RandomGrasping {
   }
 
   std::mt19937_64* random_;
-  double half_m_ = 0.0;
-  double press_m_ = 0.0;
+  double half_m_;
+  double press_m_;
   ObjectBody body_;
   Object cube_;
   // The hands move together, and each a little by itself.
