@@ -1,7 +1,7 @@
 #!/bin/sh
 # Three ODrive arms, nine axes of one bus, touch the bunny under one controller; then a drive of the second arm falls silent, and all
 # three lose their torque.
-# long: 170
+# long: 130
 # qemu: -icount shift=0,sleep=off
 mkdir -p /run # tactusd makes its folder there
 modprobe -a vcan can-raw

@@ -48,9 +48,9 @@ control() {
 
 # The left hand begins later, so that the two paths differ.
 emulators=
-emulate touch right 0 5.2 wish
-emulate touch left 1 5.2 wish_later
-control touch 4
+emulate touch right 0 5.9 wish
+emulate touch left 1 5.9 wish_later
+control touch 4.5
 [ $code -eq 0 ] || fail "tactusd ended with $code"
 bus_touch_check touch /results/touch.csv /results/touch.left.truth.csv 3 7e-4 || exit 1
 bus_touch_check touch /results/touch.2.csv /results/touch.right.truth.csv 3 7e-4 || exit 1
