@@ -35,9 +35,9 @@ stiffness_N_per_m = 150.0
 )";
 
 std::string device_text(const std::string& port) {
-  // Slow ticks: a busy machine is late for none.
+  // Slow ticks, of which a busy machine may be late for any.
   return "name = \"Haply\"\n[mechanism]\nkind = \"haply_pantograph\"\n[controller]\nrate_hz = "
-         "200\nmax_sample_age_us = 200000\n"
+         "200\nmax_sample_age_us = 200000\nmax_tick_gap_s = 1\nlate_ticks_to_fault = 1000\n"
          "[[connection]]\nname = \"usb\"\nkind = \"haply_serial\"\nport = \"" +
          port +
          "\"\nunproven_watchdog = true\n[[axis]]\nname = \"m1\"\ndriver = "
