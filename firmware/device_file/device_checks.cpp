@@ -4,10 +4,10 @@
 #include <cstddef>
 #include <optional>
 #include <span>
-#include <tuple>
 #include <variant>
 
 #include "firmware/device_file/axis_visit.h"
+#include "firmware/device_file/bus_settings.h"
 #include "firmware/device_file/motor_stop.h"
 
 namespace tactus::firmware {
@@ -16,33 +16,13 @@ namespace {
 using drivers::Checked;
 using drivers::FieldError;
 
-// Checks the settings in which the drives of one kind on one bus must agree.
-template <class Driver>
-Checked check_shared_bus(const Driver& driver, const DeviceConfig& device, std::size_t connection) {
-  using Config = typename Driver::Config;
-  std::array<Config, kMaxAxes> drives{};
-  std::size_t count = 0;
-  for (const AxisConfig& axis : std::span(device.axes).first(device.axis_count)) {
-    const auto* drive = std::get_if<Config>(&axis.drive);
-    if (drive != nullptr && axis.connection == connection) {
-      drives[count] = *drive;
-      ++count;
-    }
-  }
-  return count == 0 || driver.can.check_bus == nullptr
-             ? Checked{}
-             : driver.can.check_bus(std::span(drives).first(count));
-}
-
+// Checks the settings in which the drives of each connection must agree.
 Checked check_shared_buses(const DeviceConfig& device) {
+  const std::array devices{&device};
   Checked checked;
   for (std::size_t i = 0; i < device.connection_count && checked; ++i) {
-    const auto agree = [&](const auto& driver) {
-      checked = check_shared_bus(driver, device, i);
-      return checked.has_value();
-    };
-    (void)std::apply([&](const auto&... drivers) { return (agree(drivers) && ...); },
-                     drivers::kRegisteredDrivers);
+    checked = check_bus_settings(devices, [i](const DeviceConfig& /*device*/,
+                                              std::size_t connection) { return connection == i; });
   }
   return checked;
 }

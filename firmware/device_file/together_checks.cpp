@@ -1,13 +1,12 @@
 #include "firmware/device_file/together_checks.h"
 
-#include <array>
 #include <string_view>
-#include <tuple>
+#include <type_traits>
 #include <variant>
 
 #include "firmware/device_file/bus_load.h"
+#include "firmware/device_file/bus_settings.h"
 #include "firmware/device_file/can_identifiers.h"
-#include "rendering/limits.h"
 
 namespace tactus::firmware {
 
@@ -110,60 +109,36 @@ Verdict check_two(const DeviceConfig& device, const DeviceConfig& other, std::si
   return {};
 }
 
-// Calls action(device, connection) for every connection on the CAN interface.
-template <class Action>
-void for_each_on(Devices devices, std::string_view interface, Action action) {
-  for (const DeviceConfig* const device : devices) {
-    for (std::size_t i = 0; i < device->connection_count; ++i) {
-      const auto* const can = std::get_if<drivers::CanConnection>(&device->connections[i].line);
-      if (can != nullptr && can->interface == interface) {
-        action(*device, i);
-      }
-    }
-  }
+// Returns true if the connection is on the CAN interface.
+bool is_on(const DeviceConfig& device, std::size_t connection, std::string_view interface) {
+  const auto* const can = std::get_if<drivers::CanConnection>(&device.connections[connection].line);
+  return can != nullptr && can->interface == interface;
 }
 
-// Checks the settings in which the drives of one kind must agree on a bus.
-template <class Driver>
-drivers::Checked check_drives_on(const Driver& driver, Devices devices,
-                                 std::string_view interface) {
-  using Config = typename Driver::Config;
-  if (driver.can.check_bus == nullptr) {
-    return {};
-  }
-  std::array<Config, rendering::kMaxTools * kMaxAxes> drives{};
-  std::size_t count = 0;
-  for_each_on(devices, interface, [&](const DeviceConfig& device, std::size_t connection) {
-    for (const AxisConfig& axis : std::span(device.axes).first(device.axis_count)) {
-      const auto* const drive = std::get_if<Config>(&axis.drive);
-      if (drive != nullptr && axis.connection == connection) {
-        drives[count] = *drive;
-        ++count;
-      }
+// Returns the share of the bus' time that the frames of all devices take.
+double load_of_all(Devices devices, std::string_view interface) {
+  double load = 0.0;
+  for (const DeviceConfig* const device : devices) {
+    for (std::size_t i = 0; i < device->connection_count; ++i) {
+      load += is_on(*device, i, interface) ? bus_load(*device, i) : 0.0;
     }
-  });
-  return count == 0 ? drivers::Checked{} : driver.can.check_bus(std::span(drives).first(count));
+  }
+  return load;
 }
 
 // Checks a CAN connection of the last device with everything that the bus carries.
 Verdict check_whole_bus(Devices devices, std::size_t connection, const drivers::CanConnection& can,
                         Words& words) {
-  drivers::Checked checked;
-  const auto agree = [&](const auto& driver) {
-    checked = check_drives_on(driver, devices, can.interface);
-    return checked.has_value();
-  };
-  (void)std::apply([&](const auto&... drivers) { return (agree(drivers) && ...); },
-                   drivers::kRegisteredDrivers);
+  const drivers::Checked checked =
+      check_bus_settings(devices, [&can](const DeviceConfig& device, std::size_t index) {
+        return is_on(device, index, can.interface);
+      });
   if (!checked) {
     words.clear();
     words.add("cannot be shared with the devices before: ").add(checked.error().rule);
     return refuse_connection(connection, "interface", words);
   }
-  double load = 0.0;
-  for_each_on(devices, can.interface, [&](const DeviceConfig& device, std::size_t index) {
-    load += bus_load(device, index);
-  });
+  const double load = load_of_all(devices, can.interface);
   if (load > kMaxBusLoad) {
     constexpr double kPercent = 100.0;
     words.clear();

@@ -17,10 +17,7 @@ struct RunFolderOption {
   std::size_t device = 1;
 
   // Returns the folder of the device's sockets.
-  [[nodiscard]] std::filesystem::path folder() const {
-    const std::filesystem::path first(run_dir);
-    return device == 1 ? first : first / std::to_string(device);
-  }
+  [[nodiscard]] std::filesystem::path folder() const { return run_folder_of(run_dir, device); }
 };
 
 // Adds --run-dir and --device to a verb. `option` must live as long as the verb.

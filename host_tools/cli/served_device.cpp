@@ -21,11 +21,6 @@ namespace {
       fmt::format("{}: {} ({}); --run-dir names another folder", path, what, std::strerror(error)));
 }
 
-// Returns the folder of a device's sockets, as tactusd has it.
-std::filesystem::path folder_of(const std::filesystem::path& run_dir, std::size_t device) {
-  return device == 0 ? run_dir : run_dir / std::to_string(device + 1);
-}
-
 }  // namespace
 
 void ServedTelemetry::start(const Simulation& simulation, std::size_t device,
@@ -33,7 +28,8 @@ void ServedTelemetry::start(const Simulation& simulation, std::size_t device,
                             const ServeOptions& options) {
   device_ = device;
   explanations_.set_device(device);
-  const std::string socket = (folder_of(options.run_dir, device) / "telemetry.sock").string();
+  const std::string socket =
+      (run_folder_of(options.run_dir, device + 1) / "telemetry.sock").string();
   if (const int error = writer_->open_live_socket(socket.c_str()); error != 0) {
     refuse_folder(socket, "cannot be opened", error);
   }
@@ -93,7 +89,7 @@ void ServedTelemetry::describe(const Simulation& simulation, const firmware::Sce
 }
 
 ServedDevice::ServedDevice(std::size_t number, const std::filesystem::path& run_dir)
-    : number_(number), folder_(folder_of(run_dir, number)) {
+    : number_(number), folder_(run_folder_of(run_dir, number + 1)) {
   queue_->set_device(number);
   std::filesystem::create_directories(folder_);
 }

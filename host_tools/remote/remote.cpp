@@ -80,6 +80,10 @@ std::optional<std::string> field_of(std::string_view line, std::string_view name
   return std::string(value.substr(0, value.find(' ')));
 }
 
+std::filesystem::path run_folder_of(const std::filesystem::path& run_dir, std::size_t device) {
+  return device == 1 ? run_dir : run_dir / std::to_string(device);
+}
+
 Remote::Remote(const std::filesystem::path& run_dir)
     : path_((run_dir / kCommandSocket).string()), socket_(connect_to(path_, SOCK_STREAM)) {}
 

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <chrono>
+#include <cstddef>
 #include <filesystem>
 #include <optional>
 #include <stdexcept>
@@ -21,6 +22,10 @@ namespace tactus::host {
 inline constexpr std::string_view kDefaultRunDir = "/run/tactus";
 inline constexpr std::string_view kCommandSocket = "command.sock";
 inline constexpr std::string_view kStopSocket = "stop.sock";
+
+// Returns the folder of the sockets of a controller's device, 1 for the first, whose folder is
+// `run_dir`.
+std::filesystem::path run_folder_of(const std::filesystem::path& run_dir, std::size_t device);
 
 // Thrown if no controller could be asked or none replied. The text names the socket and the remedy.
 class UnreachableError : public std::runtime_error {

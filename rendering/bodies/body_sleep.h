@@ -62,7 +62,7 @@ class BodySleep {
   static_assert(kMaxBodies < kAwake);
 
   double after_s_ = 0.0;
-  // How long each body has been still, s.
+  // The time for which each body has been still, s.
   std::array<double, kMaxBodies> still_s_{};
   // The island in which each body sleeps: the smallest number of its bodies; kAwake.
   std::array<std::uint8_t, kMaxBodies> island_{};

@@ -39,7 +39,7 @@ struct WorldConfig {
   // The effective modulus of fingers that are soft, Pa (finger_grip.h); 0 for fingers that touch in
   // a point, as those without a radius do.
   double soft_finger_modulus_Pa = 0.0;
-  // How long bodies are at rest before they fall asleep, s; 0: never (body_sleep.h).
+  // The time for which bodies are at rest before they fall asleep, s; 0: never (body_sleep.h).
   double sleep_after_s = 0.0;
   // The needle of every tool, and the tissues among the objects, each once. The caller keeps the
   // tissues alive.

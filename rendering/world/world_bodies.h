@@ -22,7 +22,7 @@ struct BodyLaws {
   Vec3 gravity_W = standard_gravity_W();
   // The yield of soft fingers, m^3/N; 0 for fingers that touch in a point (finger_grip.h).
   double finger_yield_m3_per_N = 0.0;
-  // How long bodies are at rest before they fall asleep, s; 0: never (body_sleep.h).
+  // The time for which bodies are at rest before they fall asleep, s; 0: never (body_sleep.h).
   double sleep_after_s = 0.0;
 };
 

@@ -78,13 +78,7 @@ class Loop {
 
   // One tick in which the hand's wish goes to `wish`, from the middle of the workspace.
   void tick(const HandParameters& hand, const Vec3& wish) {
-    using firmware::Mode;
-    using firmware::Request;
-    const Mode mode = controller_->mode();
-    firmware::run_tick(*controller_, device_,
-                       mode == Mode::init    ? Request::home
-                       : mode == Mode::ready ? Request::enable
-                                             : Request::none);
+    firmware::run_tick(*controller_, device_, firmware::request_toward_active(controller_->mode()));
     EXPECT_EQ(controller_->record().faults, 0U);
     device_.advance(hand, centre_B_ + wish_, centre_B_ + wish);
     wish_ = wish;

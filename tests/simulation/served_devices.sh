@@ -3,20 +3,14 @@
 # replay together to their end.
 set -euo pipefail
 tactus="$1" examples="$2"
-work="$(mktemp -d)"
-export TACTUS_RUN_DIR="$work/run"
+# shellcheck source=tests/simulation/served.inc
+source "$(dirname "${BASH_SOURCE[0]}")/served.inc"
 
 for scene in grasp wall; do
   "$tactus" bake --quiet "$examples/$scene/scene.toml" -o "$work/$scene.tactus"
 done
-"$tactus" sim "$work/grasp.tactus" --device falcon --device falcon --path "$examples/grasp/thumb.csv" --path "$examples/grasp/finger.csv" \
-  --serve --record "$work/run.mcap" &
-served=$!
-trap 'kill "$served" 2>/dev/null || true; wait; rm -rf "$work"' EXIT
-for _ in {1..100}; do
-  [[ -S "$work/run/2/command.sock" ]] && break
-  sleep 0.05
-done
+serve "$work/grasp.tactus" --device falcon --device falcon --path "$examples/grasp/thumb.csv" --path "$examples/grasp/finger.csv"
+wait_for_socket "$work/run/2/command.sock"
 
 for device in 1 2; do "$tactus" home --wait --device $device; done
 for device in 1 2; do "$tactus" enable --device $device; done
@@ -32,7 +26,6 @@ sleep 0.1
 "$tactus" estop --device 2
 "$tactus" status | tee "$work/status"
 grep -q 'mode=fault faults=other_device' "$work/status"
-kill -INT "$served"
-wait "$served"
+stop_serving
 "$tactus" replay "$work/run.mcap" "$work/run.2.mcap" | tee "$work/replayed"
 grep -q 'every hash equal' "$work/replayed"

@@ -3,17 +3,11 @@
 # its replay has every hash and every explanation again, and its ticks before and after have none.
 set -euo pipefail
 tactus="$1" examples="$2"
-work="$(mktemp -d)"
-export TACTUS_RUN_DIR="$work/run"
+# shellcheck source=tests/simulation/served.inc
+source "$(dirname "${BASH_SOURCE[0]}")/served.inc"
 
 "$tactus" bake --quiet "$examples/ramp/scene.toml" -o "$work/scene.tactus"
-"$tactus" sim "$work/scene.tactus" --serve --record "$work/run.mcap" &
-served=$!
-trap 'kill "$served" 2>/dev/null || true; wait; rm -rf "$work"' EXIT
-for _ in {1..100}; do
-  [[ -S "$work/run/command.sock" ]] && break
-  sleep 0.05
-done
+serve "$work/scene.tactus"
 
 "$tactus" home --wait
 "$tactus" enable
@@ -26,8 +20,7 @@ done
 kill -TERM "$watching"
 wait "$watching" || true
 sleep 0.3
-kill -INT "$served"
-wait "$served"
+stop_serving
 
 for field in 'state=face friction=stick' 'plane1_multiplier_m=' 'static_radius_m=' 'collision_ns='; do
   grep -q -- "$field" "$work/lines" || { echo "no $field in what was watched" >&2; head -n 3 "$work/lines" >&2; exit 1; }

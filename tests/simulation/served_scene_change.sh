@@ -3,19 +3,13 @@
 # to its end.
 set -euo pipefail
 tactus="$1" examples="$2"
-work="$(mktemp -d)"
-export TACTUS_RUN_DIR="$work/run"
+# shellcheck source=tests/simulation/served.inc
+source "$(dirname "${BASH_SOURCE[0]}")/served.inc"
 
 for scene in wall ramp; do
   "$tactus" bake --quiet "$examples/$scene/scene.toml" -o "$work/$scene.tactus"
 done
-"$tactus" sim "$work/wall.tactus" --serve --record "$work/run.mcap" &
-served=$!
-trap 'kill "$served" 2>/dev/null || true; wait; rm -rf "$work"' EXIT
-for _ in {1..100}; do
-  [[ -S "$work/run/command.sock" ]] && break
-  sleep 0.05
-done
+serve "$work/wall.tactus"
 
 "$tactus" home --wait
 for scene in ramp wall; do
@@ -25,7 +19,6 @@ for scene in ramp wall; do
   "$tactus" scene "$work/$scene.tactus"
 done
 sleep 0.1
-kill -INT "$served"
-wait "$served"
+stop_serving
 "$tactus" replay "$work/run.mcap" | tee "$work/replayed"
 grep -q 'every hash equal' "$work/replayed"

@@ -43,14 +43,9 @@ class CarriedArm {
 
  private:
   void run(const host::HandParameters& hand, double seconds) {
-    using firmware::Mode;
-    using firmware::Request;
     for (int tick = 0; tick < static_cast<int>(seconds / kArmTick_s); ++tick) {
-      const Mode mode = controller_->mode();
       firmware::run_tick(*controller_, device_,
-                         mode == Mode::init    ? Request::home
-                         : mode == Mode::ready ? Request::enable
-                                               : Request::none);
+                         firmware::request_toward_active(controller_->mode()));
       device_.advance(hand, place_B_, place_B_);
       EXPECT_EQ(controller_->record().faults, 0U);
     }

@@ -107,9 +107,7 @@ PressOutcome outcome_of(const Press& press) {
     if (mode != firmware::Mode::active) {
       host::SimulatedDevice(simulation.device()).read(homed);
     }
-    const auto request = mode == firmware::Mode::init    ? firmware::Request::home
-                         : mode == firmware::Mode::ready ? firmware::Request::enable
-                                                         : firmware::Request::none;
+    const firmware::Request request = firmware::request_toward_active(mode);
     simulation.tick({&request, 1}, [&](host::SimulatedDevice& device, std::size_t /*number*/) {
       return WrongDevice{device, press.joints, press.wrong, homed.position};
     });

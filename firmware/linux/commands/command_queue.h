@@ -42,9 +42,7 @@ struct EventSink {
 // The queue of one device of a controller.
 class CommandQueue {
  public:
-  // Serves the first device until set_device().
-  CommandQueue() = default;
-  // Serves the device of that number, 0 for the first. Call before the loop starts.
+  // Serves the device of that number, 0 for the first and by default. Call before the loop starts.
   void set_device(std::size_t device) { device_ = device; }
 
   // These two may be called from any thread.

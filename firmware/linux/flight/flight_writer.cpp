@@ -23,7 +23,7 @@ void FlightWriter::accompany(FlightCompanion& companion, const FlightPlan& plan)
 
 void FlightWriter::leave_scene() {
   recorder_.forget();
-  for (FlightCompanion* const companion : std::span(companions_).first(companion_count_)) {
+  for (FlightCompanion* const companion : companions()) {
     companion->ticks.forget();
   }
   has_scene_.store(false, std::memory_order_release);
@@ -32,7 +32,7 @@ void FlightWriter::leave_scene() {
 void FlightWriter::use_scene(std::span<const std::byte> image) {
   const std::scoped_lock lock(file_mutex_);
   file_.use_scene(image);
-  for (FlightCompanion* const companion : std::span(companions_).first(companion_count_)) {
+  for (FlightCompanion* const companion : companions()) {
     companion->file.use_scene(image);
   }
   has_scene_.store(true, std::memory_order_release);
@@ -119,7 +119,7 @@ std::optional<std::uint64_t> FlightWriter::write_files(const FlightWindow& windo
   // The first device's file has the state of all.
   const FlightWindow ticks_only{
       .first_tick = window.first_tick, .end_tick = window.end_tick, .state = {}};
-  for (FlightCompanion* const companion : std::span(companions_).first(companion_count_)) {
+  for (FlightCompanion* const companion : companions()) {
     is_written = is_written && write(companion->file, ticks_only, companion->ticks);
   }
   return is_written ? std::optional(fewest) : std::nullopt;

@@ -84,6 +84,9 @@ class FlightWriter {
   // Writes the files of a window. Returns the number of ticks that each of them has, 0 if the loop
   // has overwritten one, or nothing after it has printed why a file could not be written.
   std::optional<std::uint64_t> write_files(const FlightWindow& window);
+  [[nodiscard]] std::span<FlightCompanion* const> companions() const {
+    return std::span(companions_).first(companion_count_);
+  }
   // Returns true if the fault of a device is not written yet.
   [[nodiscard]] bool is_fault_waiting() const;
 

@@ -17,9 +17,6 @@
 namespace tactus::firmware {
 namespace {
 
-// A claim's name, ended by a zero.
-using ClaimName = std::array<char, 100>;
-
 // Returns the text with a zero at its end, as system calls need it.
 std::array<char, kMaxMessage> terminated(std::string_view text) {
   std::array<char, kMaxMessage> room{};
@@ -55,7 +52,9 @@ ClaimName can_claim(std::string_view interface) {
 }  // namespace
 
 bool ExclusiveUse::take(std::string_view name, std::string_view what, std::string_view which) {
-  const auto has_name = [name](const Name& held) { return std::string_view(held.data()) == name; };
+  const auto has_name = [name](const ClaimName& held) {
+    return std::string_view(held.data()) == name;
+  };
   if (name.empty() || std::ranges::any_of(std::span(names_).first(taken_), has_name)) {
     return true;
   }

@@ -13,6 +13,9 @@
 
 namespace tactus::firmware {
 
+// A claim's name, ended by a zero: as long as a claim's name may be.
+using ClaimName = std::array<char, 100>;
+
 // Claims resources until the end of the program. Claim them before any of them is opened.
 class ExclusiveUse {
  public:
@@ -33,12 +36,10 @@ class ExclusiveUse {
   // Claims one name. `what` and `which` describe it in a message.
   bool take(std::string_view name, std::string_view what, std::string_view which);
 
-  // A claim's name, ended by a zero: as long as a claim's name may be.
-  using Name = std::array<char, 100>;
   static constexpr std::size_t kMost = rendering::kMaxTools * (kMaxConnections + 1);
 
   std::array<hal::ExclusiveClaim, kMost> claims_;
-  std::array<Name, kMost> names_{};
+  std::array<ClaimName, kMost> names_{};
   std::size_t taken_ = 0;
 };
 

@@ -64,7 +64,7 @@ struct BakedScene {
   std::optional<Vec3> gravity_W = std::nullopt;
   // The effective modulus of soft fingers, Pa; 0 for fingers that touch in a point.
   double soft_finger_modulus_Pa = 0.0;
-  // How long bodies are at rest before they fall asleep, s; 0: never.
+  // The time for which bodies are at rest before they fall asleep, s; 0: never.
   double sleep_after_s = 0.0;
   // The needle of every tool; nothing for tools without one.
   std::optional<rendering::Needle> needle = std::nullopt;

@@ -66,7 +66,7 @@ struct SceneDescription {
   std::optional<Vec3> gravity_W;
   // The effective modulus of soft fingers, Pa; 0 for fingers that touch bodies in a point.
   double soft_finger_modulus_Pa = 0.0;
-  // How long bodies are at rest before they fall asleep, s; 0: never.
+  // The time for which bodies are at rest before they fall asleep, s; 0: never.
   double sleep_after_s = 0.0;
   // The needle of every tool; nothing for tools without one.
   std::optional<rendering::Needle> needle;

@@ -80,7 +80,7 @@ double searched_distance(const PlacedHull& a, const PlacedHull& b, RandomSolids&
 
 TEST(HullDistance, IsThatOfASearchOverAllAxes) {
   RandomSolids random(7);
-  // As many that some overlap, however small the share of the work is.
+  // Some of so many overlap, however small the share of the work is.
   const int pairs = std::max(60, share_of(600));
   int overlaps = 0;
   for (int i = 0; i < pairs; ++i) {

@@ -18,7 +18,7 @@ constexpr double kSoftTick_s = 1e-3;
 constexpr double kPad_N_per_m = 3000.0;
 constexpr double kPadFriction = 1.0;
 constexpr double kPadRadius_m = 0.008;
-// How far the fingers press, m, and how hard, N.
+// The depth by which the fingers press, m, and their force, N.
 constexpr double kPress_m = 0.002;
 constexpr double kPress_N = kPad_N_per_m * kPress_m;
 constexpr double kBarMass_kg = 0.05;

@@ -107,10 +107,8 @@ class StopTest : public ::testing::Test {
     while (looping_) {
       const Request asked = queue_->before_tick(*controller_);
       sample.status = homing_takes_long_ ? drivers::kDeviceNotReady : drivers::kDeviceOk;
-      const Request by_itself = mode_ == Mode::fault   ? Request::reset
-                                : mode_ == Mode::init  ? Request::home
-                                : mode_ == Mode::ready ? Request::enable
-                                                       : Request::none;
+      const Request by_itself =
+          mode_ == Mode::fault ? Request::reset : request_toward_active(mode_);
       controller_->tick(sample, asked == Request::none && recovers_ ? by_itself : asked);
       queue_->after_tick(*controller_);
       mode_ = controller_->mode();
