@@ -4,21 +4,10 @@
 # long: 100
 # qemu: -icount shift=0,sleep=off
 mkdir -p /run # tactusd makes its folder there
-modprobe dummy_hcd is_high_speed=0 num=2
-modprobe -a libcomposite usb_f_fs
-/usr/lib/systemd/systemd-udevd --daemon
-udevadm trigger --action=add
-udevadm settle
 # The right one comes first on the bus, and is the controller's second device.
-for side in right left; do
-  falcon=/sys/kernel/config/usb_gadget/$side
-  mkdir -p $falcon/strings/0x409 $falcon/configs/c.1 $falcon/functions/ffs.$side /dev/ffs/$side
-  echo 0x0403 >$falcon/idVendor
-  echo 0xCB48 >$falcon/idProduct
-  echo "$side" >$falcon/strings/0x409/serialnumber
-  ln -s $falcon/functions/ffs.$side $falcon/configs/c.1
-  mount -t functionfs $side /dev/ffs/$side
-done
+falcons='right left'
+# shellcheck source=tests/rig/scenarios/falcon_gadget.inc
+. /rig/falcon_gadget.inc
 
 fail() {
   echo "FAILED: $*"
