@@ -43,8 +43,11 @@ Mat3 FingerGrips::springs_of(const SolvedGrip& grip) const {
       return Mat3::Zero();
     case Mode::slip:
       return whole * along;
-    default:
-      return whole * along + given.share * whole * (Mat3::Identity() - along);
+    default: {
+      const double rubbing =
+          step_s_ * (given.share * given.damping_Ns_per_m + step_s_ * given.bristle_N_per_m);
+      return whole * along + rubbing * (Mat3::Identity() - along);
+    }
   }
 }
 
@@ -154,7 +157,7 @@ void FingerGrips::end_step(std::span<const Vec6> moved) {
     const Vec3 slip = given.tool_v_W - velocity.head<3>() - velocity.tail<3>().cross(grip.arm_W);
     const Vec3 across = slip.dot(given.normal_W) * given.normal_W;
     grip.stretch_force_W +=
-        step_s_ * given.stiffness_N_per_m * (across + given.share * (slip - across));
+        step_s_ * (given.stiffness_N_per_m * across + given.bristle_N_per_m * (slip - across));
   }
 }
 

@@ -51,8 +51,11 @@ struct FingerGrip {
   // The stiffness K along the normal, N/m, and the damping B, Ns/m.
   double stiffness_N_per_m = 0.0;
   double damping_Ns_per_m = 0.0;
-  // The share of K and B that acts along the surface; the shares of one tool's planes add up to 1.
+  // The share of B that acts along the surface; the shares of one tool's planes add up to 1.
   double share = 1.0;
+  // The stiffness along the surface, N/m: this plane's part of K, or of the friction model's
+  // bristle.
+  double bristle_N_per_m = 0.0;
   // The largest friction over the normal force.
   double friction = 0.0;
   // The velocity of the tool, m/s.

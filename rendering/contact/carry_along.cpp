@@ -5,7 +5,7 @@
 // plane, so a segment in front of the plane does not meet it again: each round adds planes of new
 // surfaces only, and few rounds are needed.
 //
-//   desired = X_now (X_before^-1 p)              carried by the object in contact, else p
+//   desired = p + X_now (X_before^-1 c) - c      carried by the point c in contact, else p
 //   goal    = desired
 //   repeat:  for each object O: sweep X_before^-1 p -> X_now^-1 goal in O, add the plane met
 //            done if nothing was met
@@ -197,10 +197,17 @@ Vec3 swept_to_still(const SceneObjects& scene, const ContactMargins& margins, co
   return from_W + travel_m * sweep.direction;
 }
 
-// Returns the displacement in this tick of the mesh point nearest to p_O; object frame, m. The
-// point moves with its triangle's corners by its barycentric weights, which are ratios of areas:
-// with n = ab x ac the weight of corner b is ((at x ac) . n) / (n . n).
-Vec3 displacement_O(const DeformableMesh& deformable, std::uint32_t triangle, const Vec3& p_O) {
+// A point of a surface before the tick and now; object frame, m.
+struct MovedPoint {
+  Vec3 before_O = Vec3::Zero();
+  Vec3 now_O = Vec3::Zero();
+};
+
+// Returns the point of a mesh that deforms which was nearest to p_O. It moves with its triangle's
+// corners by its barycentric weights, which are ratios of areas: with n = ab x ac the weight of
+// corner b is ((at x ac) . n) / (n . n).
+MovedPoint deformed_point(const DeformableMesh& deformable, std::uint32_t triangle,
+                          const Vec3& p_O) {
   const auto corners = [&](const MeshView& mesh) -> std::array<Vec3, 3> {
     const auto& [a, b, c] = mesh.triangles[triangle];
     return {to_vec3(mesh.vertices[a]), to_vec3(mesh.vertices[b]), to_vec3(mesh.vertices[c])};
@@ -215,22 +222,43 @@ Vec3 displacement_O(const DeformableMesh& deformable, std::uint32_t triangle, co
   const double area = normal.squaredNorm();
   const double b = area > 0.0 ? at.cross(ac).dot(normal) / area : 0.0;
   const double c = area > 0.0 ? ab.cross(at).dot(normal) / area : 0.0;
-  return (1.0 - b - c) * (now[0] - before[0]) + b * (now[1] - before[1]) + c * (now[2] - before[2]);
+  const Vec3 moved =
+      (1.0 - b - c) * (now[0] - before[0]) + b * (now[1] - before[1]) + c * (now[2] - before[2]);
+  const Vec3 point_O = before[0] + at;
+  return {.before_O = point_O, .now_O = point_O + moved};
 }
 
-// Returns the position to which the object in contact carries the proxy; world frame, m. It is the
-// proxy's place in the object's frame, moved with the surface there if the object deforms.
+// Returns the point of the object in contact that the proxy at p_O touches.
+MovedPoint touched_point(const SceneObjects& scene, const Mover& mover, std::uint32_t triangle,
+                         const Vec3& p_O) {
+  if (mover.deformable != nullptr && mover.deformable->step_m() > 0.0) {
+    return deformed_point(*mover.deformable, triangle, p_O);
+  }
+  const Nearest nearest = nearest_at(scene, mover.object, triangle, p_O);
+  const Vec3 point_O = p_O - nearest.distance * nearest.normal;
+  return {.before_O = point_O, .now_O = point_O};
+}
+
+// Returns the position to which the object in contact carries the proxy; world frame, m. The tool
+// does not turn, so that an object that turns rolls on it: the proxy's centre goes along with the
+// point that it touches, and stays as far above that point's surface.
 Vec3 carried_position(const SceneObjects& scene, const Vec3& p_W, const LastContact& last_contact) {
   const Mover* const mover =
       last_contact.object == kNoObject ? nullptr : scene.mover_of(last_contact.object);
   if (mover == nullptr || !mover->moved) {
     return p_W;
   }
-  Vec3 p_O = mover->X_WO_before.point_in(p_W);
-  if (mover->deformable != nullptr && mover->deformable->step_m() > 0.0) {
-    p_O += displacement_O(*mover->deformable, last_contact.triangle, p_O);
+  const Vec3 p_O = mover->X_WO_before.point_in(p_W);
+  const auto [before_O, now_O] = touched_point(scene, *mover, last_contact.triangle, p_O);
+  const Vec3 above_O = p_O - before_O;
+  const Vec3 touched_W = mover->X_WO.point(now_O);
+  const double height_m = above_O.norm();
+  if (height_m == 0.0) {
+    return touched_W;
   }
-  return mover->X_WO.point(p_O);
+  const Vec3 above_W = mover->X_WO_before.direction(above_O);
+  const Vec3 up_W = mover->X_WO.direction(above_O) / height_m;
+  return touched_W + above_W + (height_m - up_W.dot(above_W)) * up_W;
 }
 
 }  // namespace

@@ -20,6 +20,7 @@ HeldGoal hold_by_model(const SceneObjects& scene, const ActiveConstraints& activ
                           : Vec3{Vec3::Zero()};
   std::array<JointSurface, JointFriction::kMost> surfaces;
   std::size_t count = 0;
+  Vec3 push_W = Vec3::Zero();
   for (std::size_t i = 0; i < rest.plane_count; ++i) {
     const std::uint32_t object = rest.planes[i].object;
     const auto end = surfaces.begin() + count;
@@ -35,6 +36,10 @@ HeldGoal hold_by_model(const SceneObjects& scene, const ActiveConstraints& activ
       ++count;
     }
     place->normal_force_N += active.stiffness_N_per_m * active.push_m[i];
+    push_W += active.push_m[i] * rest.planes[i].plane.normal;
+  }
+  for (JointSurface& surface : std::span(surfaces).first(count)) {
+    surface.sliding.depth_m = push_W.norm();
   }
   const FrictionLag joint = state.models.lag(std::span(surfaces).first(count), rest.normal_W);
   state.friction = joint.state;

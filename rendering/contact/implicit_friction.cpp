@@ -45,6 +45,7 @@ ImplicitGoal ImplicitFriction::lag_behind(const ImplicitPush& push, const Implic
                                           ImplicitProxyState& state) {
   SlidingSurface sliding = sliding_surface(material_);
   sliding.crease = push.crease_W;
+  sliding.depth_m = (push.projection.point - h).norm() * surface.scale_m;
   const FrictionLag lag =
       state.model.lag(sliding, push.normal_W, material_.stiffness_N_per_m * push.depth_m);
   state.friction = lag.state;

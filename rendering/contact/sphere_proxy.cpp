@@ -11,6 +11,7 @@ namespace tactus::rendering {
 void SphereProxy::place(const Vec3& p_W) {
   state_ = {.p_W = p_W};
   carried_W_ = Vec3::Zero();
+  turned_W_ = Mat3::Identity();
   planes_.clear();
   just_placed_ = true;
   candidate_set_.start_over();
@@ -35,6 +36,7 @@ std::uint32_t SphereProxy::begin_tick(const SceneObjects& scene) {
       carry_along(scene, margins_, state_.p_W, state_.last_contact, candidate_set_.left_out());
   candidate_set_.budget().spend(carried.spent);
   carried_W_ += carried.p_W - state_.p_W;
+  turn_with_contact(scene);
   if (carried.p_W != state_.p_W) {
     state_.p_W = carried.p_W;
     candidate_set_.move_to(state_.p_W);
@@ -42,11 +44,28 @@ std::uint32_t SphereProxy::begin_tick(const SceneObjects& scene) {
   return carried.flags;
 }
 
+// Friction belongs to the surface: the bristles turn with the object that carries the proxy.
+void SphereProxy::turn_with_contact(const SceneObjects& scene) {
+  const std::uint32_t object = state_.last_contact.object;
+  const Mover* const mover = object == kNoObject ? nullptr : scene.mover_of(object);
+  if (mover == nullptr || mover->X_WO.rotation == mover->X_WO_before.rotation) {
+    return;
+  }
+  const Mat3 turn_W = mover->X_WO.rotation * mover->X_WO_before.rotation.transpose();
+  state_.models.turn_by(turn_W);
+  turned_W_ = turn_W * turned_W_;
+}
+
 // A proxy that is carried does not slide over the object that carries it, so friction sees the
-// tool's step without it.
-void SphereProxy::begin_friction(const Vec3& tool_step_W, double tick_s) {
-  state_.models.begin_tick(tool_step_W - carried_W_, tick_s);
+// tool's step without the motion of the object. That motion is the one at the tool, which the
+// object would carry along as it carries the proxy: seen from the object, the stretch between the
+// two does not turn.
+void SphereProxy::begin_friction(const Vec3& from_W, const Vec3& to_W, double tick_s) {
+  const Vec3 stretch_W = from_W - (state_.p_W - carried_W_);
+  const Vec3 turned_W = turned_W_ * stretch_W - stretch_W;
+  state_.models.begin_tick(to_W - from_W - carried_W_ - turned_W, tick_s);
   carried_W_ = Vec3::Zero();
+  turned_W_ = Mat3::Identity();
 }
 
 ProxyRest SphereProxy::advance(const SceneObjects& scene, const Vec3& h_W, TickWatcher* watcher) {

@@ -40,9 +40,9 @@ class SphereProxy {
   // the objects are at their new places. Returns TouchFlags. Bounded time, no heap.
   std::uint32_t begin_tick(const SceneObjects& scene);
 
-  // Sets the tool's step since the last tick (world frame, m) and its duration (s), which drive the
-  // friction models. Call it after begin_tick.
-  void begin_friction(const Vec3& tool_step_W, double tick_s);
+  // Sets where the tool was in the last tick and is now (world frame, m), and the duration of that
+  // step (s), which drive the friction models. Call it after begin_tick.
+  void begin_friction(const Vec3& from_W, const Vec3& to_W, double tick_s);
 
   // Moves the proxy as near to the tool position h_W (world frame, m, finite) as surfaces and
   // friction allow. `watcher` sees the moves if it is not null. Bounded time, no heap.
@@ -90,6 +90,7 @@ class SphereProxy {
   // Moves the proxy and finds the contact of the tick.
   ProxyRest approach(const SceneObjects& scene, const Vec3& h_W, TickWatcher* watcher);
   void update_left_out(const SceneObjects& scene);
+  void turn_with_contact(const SceneObjects& scene);
 
   // The contact margins of the tool's radius.
   ContactMargins margins_;
@@ -98,6 +99,8 @@ class SphereProxy {
   ProxyState start_;
   // The displacement by objects that moved, since the last begin_friction; world frame, m.
   Vec3 carried_W_ = Vec3::Zero();
+  // The rotation of the objects that carried it, since then.
+  Mat3 turned_W_ = Mat3::Identity();
   FrictionFactors factors_;
   // True until the first tick after place(): objects that overlap the proxy then are left out.
   bool just_placed_ = true;

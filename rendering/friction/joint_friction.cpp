@@ -49,6 +49,15 @@ double scale_of(const JointBristle& before, const JointBristle& after) {
 
 }  // namespace
 
+void JointFriction::turn_by(const Mat3& rotation) {
+  if (is_in_use_) {
+    normal_ = rotation * normal_;
+    for (SurfaceFriction& model : models_) {
+      model.turn_by(rotation);
+    }
+  }
+}
+
 void JointFriction::begin_tick(const Vec3& tool_step, double tick_s) {
   tool_step_ = tool_step;
   tick_s_ = tick_s;
@@ -65,6 +74,23 @@ void JointFriction::begin_models() {
   }
 }
 
+void JointFriction::turn_models(const SlidingSurface& sliding, const Vec3& normal) {
+  double twice_energy_J = 0.0;
+  for (const SurfaceFriction& model : models_) {
+    twice_energy_J += model.twice_stored_J();
+  }
+  const double before_m =
+      has_run() ? depth_m_ : moved_depth_m(depth_m_, normal_, sliding.crease, tool_step_);
+  const double share = share_kept({.bristle_m2 = twice_energy_J / sliding.stiffness_N_per_m,
+                                   .before_m = before_m,
+                                   .now_m = sliding.depth_m});
+  for (SurfaceFriction& model : models_) {
+    if (model.recency() > 0) {
+      model.turn_to(normal, share);
+    }
+  }
+}
+
 FrictionLag JointFriction::lag(std::span<JointSurface> surfaces, const Vec3& normal) {
   set_shares(surfaces);
   if (!is_in_use_) {
@@ -72,6 +98,11 @@ FrictionLag JointFriction::lag(std::span<JointSurface> surfaces, const Vec3& nor
     begin_models();
   }
   const bool is_first = !has_run();
+  if (normal != normal_) {
+    turn_models(surfaces.front().sliding, normal);
+    normal_ = normal;
+  }
+  depth_m_ = surfaces.front().sliding.depth_m;
   give_models(surfaces, is_first);
   if (is_first && surfaces.size() > 1) {
     share_bristles(surfaces, normal);

@@ -39,14 +39,17 @@ class JointFriction {
  public:
   static constexpr std::size_t kMost = 3;
 
+  // Turns the bristles with their surfaces by a rotation, before a tick begins.
+  void turn_by(const Mat3& rotation);
+
   // Sets the tool's step since the last tick relative to the contact (m), and its duration (s).
   // Call it first in a tick.
   void begin_tick(const Vec3& tool_step, double tick_s);
 
-  // Returns the joint lag of a contact with the unit `normal`. The first call in a tick runs the
-  // models; a surface that joins in a later one has no force before the next tick. A new surface
-  // goes on where one was that holds the proxy no more. `surfaces` are at most kMost of different
-  // numbers.
+  // Returns the joint lag of a contact with the unit `normal`. The first
+  // call in a tick runs the models; a surface that joins in a later one has no force before the
+  // next tick. A new surface goes on where one was that holds the proxy no more. `surfaces` are at
+  // most kMost of different numbers.
   FrictionLag lag(std::span<JointSurface> surfaces, const Vec3& normal);
 
   // Saves the state to the archive, or restores it.
@@ -56,6 +59,8 @@ class JointFriction {
   static constexpr std::uint32_t kNoSurface = std::numeric_limits<std::uint32_t>::max();
 
   void begin_models();
+  // Turns all bristles to the plane with the unit `normal`; `sliding` is one of the surfaces.
+  void turn_models(const SlidingSurface& sliding, const Vec3& normal);
   [[nodiscard]] bool has_run() const;
   [[nodiscard]] std::size_t place_of(std::uint32_t surface) const;
   void give_models(std::span<const JointSurface> surfaces, bool to_all);
@@ -66,6 +71,9 @@ class JointFriction {
   std::array<SurfaceFriction, kMost> models_;
   // True if a model has run in this tick or the last; else they are not touched.
   bool is_in_use_ = false;
+  // The plane of the contact, and the depth in it.
+  Vec3 normal_ = Vec3::Zero();
+  double depth_m_ = 0.0;
   Vec3 tool_step_ = Vec3::Zero();
   double tick_s_ = 1e-3;
 };

@@ -1,5 +1,7 @@
 #include "rendering/friction/surface_friction.h"
 
+#include <algorithm>
+
 #include "rendering/friction/bristle_transport.h"
 #include "rendering/geometry/tangential.h"
 
@@ -18,6 +20,11 @@ Grain in_plane(const Grain& grain, const Vec3& normal) {
 }
 
 }  // namespace
+
+void SurfaceFriction::turn_by(const Mat3& rotation) {
+  memory_.elastic_force_N = rotation * memory_.elastic_force_N;
+  normal_ = rotation * normal_;
+}
 
 void SurfaceFriction::begin_tick(const Vec3& tool_step, double tick_s) {
   is_held_ = ran_;
@@ -55,11 +62,29 @@ FrictionLag SurfaceFriction::lag(const SlidingSurface& surface, const Vec3& norm
     run(surface, normal, normal_force_N);
     ran_ = true;
   }
-  Vec3 force_N = normal == normal_ ? force_N_ : turned(force_N_, normal_, normal);
+  if (normal != normal_) {
+    turn_to(normal, share_kept({.bristle_m2 = twice_stored_J() / surface.stiffness_N_per_m,
+                                .before_m = depth_m_,
+                                .now_m = surface.depth_m}));
+  }
+  depth_m_ = surface.depth_m;
+  Vec3 force_N = force_N_;
   if (surface.share < share_) {
     force_N *= surface.share / share_;
   }
   return {.lag_m = force_N / surface.stiffness_N_per_m, .state = state_};
+}
+
+double SurfaceFriction::twice_stored_J() const {
+  return is_held_ && stiffness_N_per_m_ > 0.0
+             ? memory_.elastic_force_N.squaredNorm() / stiffness_N_per_m_
+             : 0.0;
+}
+
+void SurfaceFriction::turn_to(const Vec3& normal, double share) {
+  memory_.elastic_force_N = share * turned(memory_.elastic_force_N, normal_, normal);
+  force_N_ = share * turned(force_N_, normal_, normal);
+  normal_ = normal;
 }
 
 void SurfaceFriction::run(const SlidingSurface& surface, const Vec3& normal,
@@ -71,7 +96,9 @@ void SurfaceFriction::run(const SlidingSurface& surface, const Vec3& normal,
                                      : Vec3{crease.dot(tool_step_) * crease};
   if (is_held_) {
     if (normal != normal_) {
-      turn(memory_, normal_, normal);
+      turn_to(normal, share_kept({.bristle_m2 = twice_stored_J() / surface.stiffness_N_per_m,
+                                  .before_m = moved_depth_m(depth_m_, normal_, crease, tool_step_),
+                                  .now_m = surface.depth_m}));
     }
     change_stiffness(memory_, stiffness_N_per_m_, friction.stiffness_N_per_m);
   } else {

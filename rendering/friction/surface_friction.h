@@ -16,8 +16,12 @@
 //
 // Contact that is made starts without force, and what is left of a force when the normal force
 // falls is cut with it (friction_model.h): neither can kick. Where the contact plane turns, the
-// force turns with it.
+// force turns with it, and is lessened where the tool is deeper below the new plane (share_kept()).
+// Where the object turns, plane and force turn with the object.
 #pragma once
+
+#include <algorithm>
+#include <cmath>
 
 #include "rendering/friction/cone.h"
 #include "rendering/friction/friction_model.h"
@@ -32,7 +36,9 @@ namespace tactus::rendering {
 struct SlidingSurface {
   FrictionParameters friction;
   double stiffness_N_per_m = 0.0;  // K >= 0
-  Grain grain;                     // its direction need not lie in the contact plane
+  // The distance of the tool from where the proxy would be without friction, m.
+  double depth_m = 0.0;
+  Grain grain;  // its direction need not lie in the contact plane
   // The part of the contact's bristle that is this surface's: 1, or less if others hold the proxy
   // too (joint_friction.h).
   double share = 1.0;
@@ -41,10 +47,47 @@ struct SlidingSurface {
   Vec3 crease = Vec3::Zero();
 };
 
-// Returns the stiffness of the surface's part of the bristle, N/m: its own, or else that of K.
-inline double bristle_stiffness(const SlidingSurface& surface) {
-  const double own = surface.friction.stiffness_N_per_m;
-  return surface.share * (own > 0.0 ? own : surface.stiffness_N_per_m);
+// Returns the stiffness of the bristle of a surface of the stiffness K, N/m: its own, or else K. A
+// cone has K.
+constexpr double bristle_stiffness(const FrictionParameters& friction, double stiffness_N_per_m) {
+  const bool has_own = friction.kind != FrictionKind::cone && friction.stiffness_N_per_m > 0.0;
+  return has_own ? friction.stiffness_N_per_m : stiffness_N_per_m;
+}
+
+// Returns the stiffness of the surface's part of the bristle, N/m.
+constexpr double bristle_stiffness(const SlidingSurface& surface) {
+  return surface.share * bristle_stiffness(surface.friction, surface.stiffness_N_per_m);
+}
+
+// A contact whose plane turns while the tool stands still. The spring of the depth d stores
+// K d^2 / 2, and the bristles what they do.
+struct TurningContact {
+  // Twice the energy of the bristles over K, m^2.
+  double bristle_m2 = 0.0;
+  // The depth before the turn and after it, m.
+  double before_m = 0.0;
+  double now_m = 0.0;
+};
+
+// Returns the share of the bristles' force that a turn of the contact plane leaves. A tool that
+// stands still adds no energy, so that a plane under which the tool is deeper has less friction.
+// Without this a proxy that goes round an edge would stretch both.
+inline double share_kept(const TurningContact& contact) {
+  const double gained_m2 = contact.now_m * contact.now_m - contact.before_m * contact.before_m;
+  if (!(gained_m2 > 0.0) || !(contact.bristle_m2 > 0.0)) {
+    return 1.0;
+  }
+  return std::sqrt(std::max(1.0 - gained_m2 / contact.bristle_m2, 0.0));
+}
+
+// Returns the depth of a contact after a step of the tool relative to it, m: along the unit
+// `normal`, or, in a crease, by all of the step across it.
+inline double moved_depth_m(double depth_m, const Vec3& normal, const Vec3& crease,
+                            const Vec3& step) {
+  if (crease == Vec3::Zero()) {
+    return std::max(depth_m - normal.dot(step), 0.0);
+  }
+  return (depth_m * normal - step + crease.dot(step) * crease).norm();
 }
 
 // The elastic force of a bristle and its stiffness.
@@ -60,6 +103,9 @@ struct FrictionLag {
 
 class SurfaceFriction {
  public:
+  // Turns the bristle with its surface by a rotation, before a tick begins.
+  void turn_by(const Mat3& rotation);
+
   // Sets the tool's step since the last tick relative to the surface (m), and its duration (s).
   // Call it first in a tick. A contact for which `lag` was not called in the last tick has ended.
   void begin_tick(const Vec3& tool_step, double tick_s);
@@ -74,6 +120,12 @@ class SurfaceFriction {
   // Returns 2 if the model has run in this tick, 1 if it ran in the last one only, else 0.
   [[nodiscard]] int recency() const { return ran_ ? 2 : static_cast<int>(is_held_); }
 
+  // Turns the bristle of a contact that goes on to the plane with the unit `normal`, and lessens it
+  // to a share (share_kept()).
+  void turn_to(const Vec3& normal, double share);
+  // Returns twice the energy of the bristle; 0 if the contact begins in this tick.
+  [[nodiscard]] double twice_stored_J() const;
+
   // Returns the bristle in the plane with the unit `normal`, before the model runs; one without
   // stiffness if the contact begins in this tick.
   [[nodiscard]] Bristle bristle(const Vec3& normal) const;
@@ -87,7 +139,8 @@ class SurfaceFriction {
   void run(const SlidingSurface& surface, const Vec3& normal, double normal_force_N);
 
   FrictionMemory<Vec3> memory_;
-  Vec3 normal_ = Vec3::Zero();  // of the last run
+  Vec3 normal_ = Vec3::Zero();  // of the bristle's plane
+  double depth_m_ = 0.0;        // in that plane
   Vec3 force_N_ = Vec3::Zero();
   double stiffness_N_per_m_ = 0.0;  // of the bristle in the last run
   double share_ = 1.0;              // the surface's share in the last run

@@ -17,15 +17,16 @@
 namespace tactus::rendering {
 
 void SurfaceFriction::transfer(StateArchive& archive) {
-  auto& [memory, normal, force_N, stiffness_N_per_m, share, tool_step, tick_s, state, ran,
+  auto& [memory, normal, depth_m, force_N, stiffness_N_per_m, share, tool_step, tick_s, state, ran,
          is_held] = *this;
-  archive(memory, normal, force_N, stiffness_N_per_m, share, tool_step, tick_s, ran, is_held);
+  archive(memory, normal, depth_m, force_N, stiffness_N_per_m, share, tool_step, tick_s, ran,
+          is_held);
   archive.choice(state, FrictionState::slip);
 }
 
 void JointFriction::transfer(StateArchive& archive) {
-  auto& [surfaces, models, is_in_use, tool_step, tick_s] = *this;
-  archive(surfaces, models, is_in_use, tool_step, tick_s);
+  auto& [surfaces, models, is_in_use, normal, depth_m, tool_step, tick_s] = *this;
+  archive(surfaces, models, is_in_use, normal, depth_m, tool_step, tick_s);
   // The numbers differ; only places without a surface are alike.
   for (std::size_t i = 1; i < kMost; ++i) {
     const auto before = std::span(surfaces).first(i);

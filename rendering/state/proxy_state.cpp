@@ -144,10 +144,10 @@ void CandidateSet::transfer_candidate(StateArchive& archive, const SceneObjects&
 
 // `start` is set by the next advance, so it is not saved.
 void SphereProxy::transfer(StateArchive& archive, const SceneObjects& scene) {
-  [[maybe_unused]] auto& [margins, state, start, carried_W, factors, just_placed, candidate_set,
-                          planes] = *this;
+  [[maybe_unused]] auto& [margins, state, start, carried_W, turned_W, factors, just_placed,
+                          candidate_set, planes] = *this;
   auto& [p_W, friction, model, last_contact, held_by, is_settled, settled_for_W] = state;
-  archive(p_W, model, is_settled, settled_for_W, carried_W, factors, just_placed);
+  archive(p_W, model, is_settled, settled_for_W, carried_W, turned_W, factors, just_placed);
   archive.choice(friction, FrictionState::slip);
   auto& [object, triangle, normal_W] = last_contact;
   archive(object, triangle, normal_W);

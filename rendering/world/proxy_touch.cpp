@@ -61,10 +61,9 @@ void ProxyTouch::place(const Vec3& p_W) {
 }
 
 Touch ProxyTouch::touch(const SceneObjects& scene, const ToolState& tool, TickWatcher* watcher) {
-  const Vec3 tool_step = tool.p_W - last_tool_W_;
-  tool_step_m_ = tool_step.norm();
+  tool_step_m_ = (tool.p_W - last_tool_W_).norm();
+  proxy_.begin_friction(last_tool_W_, tool.p_W, scene.tick_s());
   last_tool_W_ = tool.p_W;
-  proxy_.begin_friction(tool_step, scene.tick_s());
   first_pass_ = true;
   if (detailed_) {
     shading_.begin({.proxy_W = proxy_.position_W(),
@@ -304,6 +303,7 @@ void ProxyTouch::set_grips(const SceneObjects& scene, const ToolState& tool, con
                  .stiffness_N_per_m = stiffness,
                  .damping_Ns_per_m = material.damping_Ns_per_m,
                  .share = share,
+                 .bristle_N_per_m = share * bristle_stiffness(material.friction, stiffness),
                  .friction = most_friction(material.friction, touch.friction),
                  .tool_v_W = tool.v_W}};
     of_bodies += spring - share * material.damping_Ns_per_m *

@@ -12,6 +12,7 @@
 
 #include <Eigen/Dense>
 
+#include "rendering/friction/registered_models.h"
 #include "rendering/world/world.h"
 #include "tests/support/share.h"
 
@@ -38,11 +39,12 @@ struct HandMotion {
   }
 };
 
-// A cube between two fingers along x, all of it random.
+// A cube between two fingers along x, points or balls, all of it random, also the friction model.
 class RandomGrasping {
  public:
   explicit RandomGrasping(std::mt19937_64& random)
       : random_(&random), half_m_(between(0.005, 0.03)), press_m_(between(0.0, 0.004)) {
+    radius_m_ = unit() > 0.0 ? 0.0 : between(0.001, 0.01);
     const double mass_kg = between(0.01, 0.5);
     body_.mass = {.mass_kg = mass_kg,
                   .inertia_C = 2.0 / 3.0 * mass_kg * half_m_ * half_m_ * Mat3::Identity()};
@@ -58,6 +60,11 @@ class RandomGrasping {
     material.damping_Ns_per_m = unit() > 0.0 ? 0.0 : between(0.0, 3.0);
     material.friction.coulomb = between(0.1, 1.5);
     material.friction.static_level = material.friction.coulomb;
+    const FrictionModelTraits& model =
+        kFrictionModels[std::uniform_int_distribution<std::size_t>(0, kFrictionKinds - 1)(random)];
+    material.friction.kind = model.kind;
+    material.friction.stiffness_N_per_m =
+        model.has_bristles || unit() > 0.0 ? between(0.3, 1.0) * material.stiffness_N_per_m : 0.0;
     both_ = motion(0.03);
     for (HandMotion& hand : hands_) {
       hand = motion(unit() > 0.0 ? 0.0005 : 0.01);
@@ -66,7 +73,8 @@ class RandomGrasping {
 
   // Returns the most that a tick has made, J.
   double most_made_J() {
-    EXPECT_TRUE(world_->set_scene({&cube_, 1}, {.tool_count = 2, .bodies = {&body_, 1}}));
+    EXPECT_TRUE(world_->set_scene(
+        {&cube_, 1}, {.tool_radius_m = radius_m_, .tool_count = 2, .bodies = {&body_, 1}}));
     EXPECT_TRUE(world_->set_tick(kPassiveTick_s));
     double most_J = 0.0;
     const double stored_J = energy_J();
@@ -112,8 +120,8 @@ class RandomGrasping {
     const double pressed = std::clamp((static_cast<double>(k) - 3.0) / kPressing_ticks, 0.0, 1.0);
     const double depth_m = press_m_ * pressed - 1e-4 * (1.0 - pressed);
     const double side = hand == 0 ? -1.0 : 1.0;
-    return side * (half_m_ - depth_m) * Vec3::UnitX() + both_.offset_m(t_s) - both_.offset_m(0.0) +
-           hands_[hand].offset_m(t_s) - hands_[hand].offset_m(0.0);
+    return side * (half_m_ + radius_m_ - depth_m) * Vec3::UnitX() + both_.offset_m(t_s) -
+           both_.offset_m(0.0) + hands_[hand].offset_m(t_s) - hands_[hand].offset_m(0.0);
   }
   // The hands move evenly from tick to tick.
   void move(std::size_t k) {
@@ -136,6 +144,7 @@ class RandomGrasping {
   std::mt19937_64* random_;
   double half_m_;
   double press_m_;
+  double radius_m_ = 0.0;
   ObjectBody body_;
   Object cube_;
   // The hands move together, and each a little by itself.
