@@ -11,8 +11,18 @@ namespace {
 
 // The fastest recovery from an overlap, m/s.
 constexpr double kFastestRecovery_m_per_s = 1.0;
-// Slower approaches do not bounce, m/s: one of them is gravity's of a few ticks.
-constexpr double kLeastBounce_m_per_s = 0.05;
+// Slower approaches are no hits, m/s: one of them is gravity's of a few ticks.
+constexpr double kLeastHit_m_per_s = 0.05;
+// The points of a contact that hits are solved so often in a pass: their impulses begin anew, and
+// those of one side alone would turn the body about the other side.
+constexpr int kRoundsOfHit = 4;
+// Bounces are solved until their impulses change by less than this share.
+constexpr double kLeastChange = 1e-3;
+
+// Returns true if the surfaces meet at a point so fast that it hits.
+bool is_hit(const SolvedPoint& point) {
+  return point.parting_m_per_s < -kLeastHit_m_per_s;
+}
 
 // Computes the answers of the bodies as they are now.
 void set_answers(const BodyContact& contact, const SolverBody& a, const SolverBody& b,
@@ -37,19 +47,53 @@ void take_over_impulses(const PastContact& before, const BodyContact& contact, S
   }
 }
 
-// Friction holds a point within the circle that its push allows.
+// Friction holds a point within the circle that its push allows. The impulse that would stop the
+// slip in both directions is of no use to a point that slips: where the masses along them differ it
+// is not against the slip. A step of one mass for both leads there.
 void solve_friction(const BodyContact& contact, SolvedPoint& point, SolverBody& a, SolverBody& b) {
-  const Eigen::Vector2d along{point.along[1].mass * parting(a, b, point.along[1]),
-                              point.along[2].mass * parting(a, b, point.along[2])};
-  Eigen::Vector2d wanted = point.rub - along;
+  const Eigen::Vector2d masses{point.along[1].mass, point.along[2].mass};
+  const Eigen::Vector2d slip{parting(a, b, point.along[1]), parting(a, b, point.along[2])};
   const double most = contact.surface.friction * point.push;
-  const double size2 = wanted.squaredNorm();
-  if (size2 > most * most) {
-    wanted *= most / std::sqrt(size2);
+  Eigen::Vector2d wanted = point.rub - masses.cwiseProduct(slip);
+  if (wanted.squaredNorm() > most * most) {
+    wanted = point.rub - masses.minCoeff() * slip;
+    const double size2 = wanted.squaredNorm();
+    if (size2 > most * most) {
+      wanted *= most / std::sqrt(size2);
+    }
   }
   push_apart(contact.pushes_a, a, b, point.along[1], wanted[0] - point.rub[0]);
   push_apart(contact.pushes_a, a, b, point.along[2], wanted[1] - point.rub[1]);
   point.rub = wanted;
+}
+
+// Solves the points along the normal once.
+void solve_pushes(BodyContact& contact, SolverBody& a, SolverBody& b, double step_s,
+                  const ContactSoftness* softness) {
+  for (std::size_t i = 0; i < contact.count; ++i) {
+    SolvedPoint& point = contact.points[i];
+    const double separation = point.separation_now_m;
+    double bias = 0.0;
+    double mass_scale = 1.0;
+    double impulse_scale = 0.0;
+    if (separation > 0.0) {
+      // Surfaces that are apart may come together in this sub-step, and no more.
+      bias = separation / step_s;
+    } else if (softness != nullptr) {
+      bias = std::max(softness->bias_rate * separation, -kFastestRecovery_m_per_s);
+      mass_scale = softness->mass_scale;
+      impulse_scale = softness->impulse_scale;
+    }
+    const double approach = parting(a, b, point.along[0]);
+    const double change =
+        -point.along[0].mass * mass_scale * (approach + bias) - impulse_scale * point.push;
+    const double push = std::max(point.push + change, 0.0);
+    if (push != point.push) {
+      push_apart(contact.pushes_a, a, b, point.along[0], push - point.push);
+      point.push = push;
+      point.hardest_push = std::max(point.hardest_push, push);
+    }
+  }
 }
 
 }  // namespace
@@ -87,6 +131,7 @@ void begin_contact(const Manifold& manifold, std::span<const SolverBody> bodies,
   contact.axes_W[2] = normal.cross(contact.axes_W[1]);
   contact.pushes_a = a.can_move();
   contact.count = manifold.count;
+  contact.hits = false;
   for (std::size_t i = 0; i < manifold.count; ++i) {
     const ManifoldPoint& found = manifold.points[i];
     SolvedPoint& point = contact.points[i];
@@ -106,6 +151,7 @@ void begin_contact(const Manifold& manifold, std::span<const SolverBody> bodies,
       set_mass(contact.pushes_a, along);
     }
     point.parting_m_per_s = parting(a, b, point.along[0]);
+    contact.hits = contact.hits || is_hit(point);
     if (before != nullptr) {
       take_over_impulses(*before, contact, point);
     }
@@ -152,60 +198,43 @@ void solve_contact(BodyContact& contact, std::span<SolverBody> bodies, double st
                    const ContactSoftness* softness) {
   SolverBody& a = bodies[contact.a];
   SolverBody& b = bodies[contact.b];
-  for (std::size_t i = 0; i < contact.count; ++i) {
-    SolvedPoint& point = contact.points[i];
-    const double separation = point.separation_now_m;
-    double bias = 0.0;
-    double mass_scale = 1.0;
-    double impulse_scale = 0.0;
-    if (separation > 0.0) {
-      // Surfaces that are apart may come together in this sub-step, and no more.
-      bias = separation / step_s;
-    } else if (softness != nullptr) {
-      bias = std::max(softness->bias_rate * separation, -kFastestRecovery_m_per_s);
-      mass_scale = softness->mass_scale;
-      impulse_scale = softness->impulse_scale;
+  const int rounds = contact.hits ? kRoundsOfHit : 1;
+  for (int round = 0; round < rounds; ++round) {
+    solve_pushes(contact, a, b, step_s, softness);
+    if (contact.surface.resists_turning()) {
+      solve_turning(contact, a, b);
     }
-    const double approach = parting(a, b, point.along[0]);
-    const double change =
-        -point.along[0].mass * mass_scale * (approach + bias) - impulse_scale * point.push;
-    const double push = std::max(point.push + change, 0.0);
-    if (push != point.push) {
-      push_apart(contact.pushes_a, a, b, point.along[0], push - point.push);
-      point.push = push;
-      point.hardest_push = std::max(point.hardest_push, push);
-    }
-  }
-  if (contact.surface.resists_turning()) {
-    solve_turning(contact, a, b);
-  }
-  for (std::size_t i = 0; i < contact.count; ++i) {
-    SolvedPoint& point = contact.points[i];
-    // A point that is not pushed has no friction.
-    if (point.push > 0.0 || point.rub[0] != 0.0 || point.rub[1] != 0.0) {
-      solve_friction(contact, point, a, b);
+    for (std::size_t i = 0; i < contact.count; ++i) {
+      SolvedPoint& point = contact.points[i];
+      // A point that is not pushed has no friction.
+      if (point.push > 0.0 || point.rub[0] != 0.0 || point.rub[1] != 0.0) {
+        solve_friction(contact, point, a, b);
+      }
     }
   }
 }
 
-void apply_restitution(BodyContact& contact, std::span<SolverBody> bodies) {
-  if (!(contact.surface.restitution > 0.0)) {
-    return;
+bool apply_restitution(BodyContact& contact, std::span<SolverBody> bodies) {
+  if (!(contact.surface.restitution > 0.0) || !contact.hits) {
+    return false;
   }
   SolverBody& a = bodies[contact.a];
   SolverBody& b = bodies[contact.b];
+  bool has_changed = false;
   for (std::size_t i = 0; i < contact.count; ++i) {
     SolvedPoint& point = contact.points[i];
-    if (point.parting_m_per_s > -kLeastBounce_m_per_s || !(point.hardest_push > 0.0)) {
+    if (!is_hit(point) || !(point.hardest_push > 0.0)) {
       continue;
     }
     const double approach = parting(a, b, point.along[0]);
     const double change =
         -point.along[0].mass * (approach + contact.surface.restitution * point.parting_m_per_s);
     const double push = std::max(point.push + change, 0.0);
+    has_changed = has_changed || std::abs(push - point.push) > kLeastChange * point.hardest_push;
     push_apart(contact.pushes_a, a, b, point.along[0], push - point.push);
     point.push = push;
   }
+  return has_changed;
 }
 
 void add_impulses(const BodyContact& contact, std::span<Vec6> wrenches) {

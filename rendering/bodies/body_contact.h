@@ -58,6 +58,8 @@ struct BodyContact {
   std::array<Vec3, 3> axes_W{Vec3::UnitY(), Vec3::UnitX(), Vec3::UnitZ()};
   std::array<SolvedPoint, kManifoldPoints> points;
   std::size_t count = 0;
+  // True if a point of it meets so fast in this tick that it hits, and may bounce.
+  bool hits = false;
   // The turning about the three axes, and the torques of a sub-step against it, N m s; of surfaces
   // that resist it.
   std::array<PushDirection, 3> about;
@@ -116,15 +118,15 @@ void warm_start(BodyContact& contact, std::span<SolverBody> bodies);
 // Computes the points' distances after the solids have moved.
 void follow_motion(BodyContact& contact, std::span<const Shift> shifts);
 
-// Solves the points of a contact once; friction and the resistance to turning come last, as their
-// limit is the push's. With a
-// softness the surfaces are pushed apart where they overlap; without one (nullptr) only their
-// approach is stopped.
+// Solves the points of a contact once, or a few times if it hits; friction and the resistance to
+// turning come last, as their limit is the push's. With a softness the surfaces are pushed apart
+// where they overlap; without one (nullptr) only their approach is stopped.
 void solve_contact(BodyContact& contact, std::span<SolverBody> bodies, double step_s,
                    const ContactSoftness* softness);
 
-// Bounces the points that have approached faster than a threshold and have been pushed.
-void apply_restitution(BodyContact& contact, std::span<SolverBody> bodies);
+// Bounces the points that have hit and have been pushed, once. Returns true while that changes
+// their impulses.
+bool apply_restitution(BodyContact& contact, std::span<SolverBody> bodies);
 
 // Adds the contact's impulses in this sub-step to those on each body, with their torque; `wrenches`
 // has a place for every solid.

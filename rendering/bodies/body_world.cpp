@@ -7,6 +7,8 @@ namespace {
 constexpr int kSubSteps = 4;
 // Each pass of a sub-step solves all contacts so often.
 constexpr int kPasses = 2;
+// Bounces are solved so often at most.
+constexpr int kMostBouncePasses = 16;
 // The frequency of the spring that undoes overlaps is this share of the sub-steps' rate, and it is
 // damped far beyond its critical damping.
 constexpr double kContactShare = 0.25;
@@ -122,9 +124,7 @@ void BodyWorld::sub_step(double step_s, bool is_last) {
   }
   solve_contacts(step_s, nullptr);
   if (is_last) {
-    for (BodyContact& contact : contacts) {
-      apply_restitution(contact, solids_);
-    }
+    bounce();
   }
   sum_impulses();
   for (const std::uint8_t i : awake()) {
@@ -143,7 +143,20 @@ void BodyWorld::solve_contacts(double step_s, const ContactSoftness* softness) {
   }
 }
 
-// The velocities of a body that no springs hold have changed by the contacts' impulses alone.
+// The bounces of the points of a contact, and of neighbours, depend on each other.
+void BodyWorld::bounce() {
+  bool goes_on = true;
+  for (int pass = 0; goes_on && pass < kMostBouncePasses; ++pass) {
+    goes_on = false;
+    for (BodyContact& contact : std::span(contacts_).first(contact_count_)) {
+      const bool has_changed = apply_restitution(contact, solids_);
+      goes_on = goes_on || has_changed;
+    }
+  }
+}
+
+// The velocities of a body that no springs hold have changed by the contacts' impulses alone. Those
+// of the body itself do not count: after its move the same momentum is another angular velocity.
 void BodyWorld::sum_impulses() {
   bool any_springs = false;
   for (const std::uint8_t i : awake()) {
@@ -156,8 +169,7 @@ void BodyWorld::sum_impulses() {
   grips_.add_spins(pushed_);
   for (const std::uint8_t i : awake()) {
     if (!solids_[i].has_springs()) {
-      pushed_[i] =
-          solids_[i].impulse_since(bodies_[i].motion().velocity_W, bodies_[i].angular_velocity_W());
+      pushed_[i] = solids_[i].impulse_since_begin();
     }
   }
 }

@@ -147,6 +147,8 @@ class BodyWorld {
   void sub_step(double step_s, bool is_last);
   // Solves all contacts, with recovery from overlaps or without (nullptr).
   void solve_contacts(double step_s, const ContactSoftness* softness);
+  // Bounces what has hit.
+  void bounce();
   // Sums up the impulses on the bodies in this sub-step.
   void sum_impulses();
   // Moves the bodies by the velocities that are solved so far.

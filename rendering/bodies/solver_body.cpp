@@ -48,6 +48,7 @@ void SolverBody::take_obstacle(const Vec3& origin_W, const Twist& twist) {
 
 void SolverBody::begin(const RigidBody& body) {
   velocity_ << body.motion().velocity_W, body.angular_velocity_W();
+  velocity_before_ = velocity_;
   has_springs_ = false;
 }
 
@@ -59,10 +60,11 @@ void SolverBody::set_springs(const Mat6& inertia) {
   has_springs_ = true;
 }
 
-Vec6 SolverBody::impulse_since(const Vec3& velocity_W, const Vec3& angular_velocity_W) const {
+Vec6 SolverBody::impulse_since_begin() const {
+  const Vec6 change = velocity_ - velocity_before_;
   Vec6 impulse;
-  impulse.head<3>() = mass_kg_ * (velocity_.head<3>() - velocity_W);
-  impulse.tail<3>() = inertia_W_ * (velocity_.tail<3>() - angular_velocity_W);
+  impulse.head<3>() = mass_kg_ * change.head<3>();
+  impulse.tail<3>() = inertia_W_ * change.tail<3>();
   return impulse;
 }
 

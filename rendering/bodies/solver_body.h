@@ -81,9 +81,9 @@ class SolverBody {
   void accelerate(const Vec6& wrench) { velocity_ += answer_to(wrench); }
   void gain(double factor, const Vec6& answer) { add(factor, answer, velocity_); }
 
-  // Returns the impulse, with its torque, that makes the difference from these velocities. For a
-  // body that no springs hold.
-  [[nodiscard]] Vec6 impulse_since(const Vec3& velocity_W, const Vec3& angular_velocity_W) const;
+  // Returns the impulse, with its torque, that has changed the velocities since the beginning of
+  // the sub-step. For a body that no springs hold.
+  [[nodiscard]] Vec6 impulse_since_begin() const;
 
   // Returns true if the body answers an impulse: an obstacle does not.
   [[nodiscard]] bool can_move() const { return inverse_mass_ > 0.0; }
@@ -102,6 +102,8 @@ class SolverBody {
   bool has_springs_ = false;
   Mat6 apparent_inverse_ = Mat6::Zero();
   Vec6 velocity_ = Vec6::Zero();
+  // The velocities at the beginning of the sub-step.
+  Vec6 velocity_before_ = Vec6::Zero();
 };
 
 }  // namespace tactus::rendering

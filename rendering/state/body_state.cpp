@@ -22,7 +22,7 @@ void transfer_motion(StateArchive& archive, RigidBody& body) {
 // The next tick takes over impulses by the points' places.
 void transfer_contact(StateArchive& archive, BodyContact& contact, std::uint16_t solids,
                       bool any_resists_turning) {
-  auto& [a, b, pushes_a, surface, axes_W, points, count, about, torque] = contact;
+  auto& [a, b, pushes_a, surface, axes_W, points, count, hits, about, torque] = contact;
   archive.up_to(a, solids);
   archive.up_to(b, solids);
   archive(axes_W);
