@@ -15,7 +15,7 @@ constexpr double kFastestRecovery_m_per_s = 1.0;
 constexpr double kLeastHit_m_per_s = 0.05;
 // The points of a contact that hits are solved so often in a pass: their impulses begin anew, and
 // those of one side alone would turn the body about the other side.
-constexpr int kRoundsOfHit = 4;
+constexpr int kRoundsOfHit = 8;
 // Bounces are solved until their impulses change by less than this share.
 constexpr double kLeastChange = 1e-3;
 
