@@ -20,7 +20,7 @@ std::uint64_t steady_now_ns() {
 
 SimOutputs::SimOutputs(const SimFiles& files, double seconds, Simulation& simulation,
                        const MappedScene& scene)
-    : seconds_(seconds) {
+    : seconds_(seconds), bodies_(files.bodies, scene.image()) {
   for (std::size_t i = 0; i < simulation.device_count(); ++i) {
     OfDevice& device = devices_.emplace_back();
     if (!files.output.empty()) {
@@ -37,20 +37,15 @@ SimOutputs::SimOutputs(const SimFiles& files, double seconds, Simulation& simula
                                  scene.image().tool_radius_m(), steady_now_ns, i);
     }
   }
-  if (!files.bodies.empty()) {
-    bodies_.emplace(files.bodies, scene.image());
-  }
   if (::isatty(STDERR_FILENO) == 1) {
     progress_.emplace();
   }
 }
 
 void SimOutputs::begin_tick(const Simulation& simulation) {
-  if (bodies_) {
-    const firmware::Controller& controller = simulation.controller();
-    bodies_->add(static_cast<double>(controller.next_tick()) / controller.config().rate_hz,
-                 controller.world());
-  }
+  const firmware::Controller& controller = simulation.controller();
+  bodies_.add(static_cast<double>(controller.next_tick()) / controller.config().rate_hz,
+              controller.world());
 }
 
 void SimOutputs::add(const Simulation& simulation) {
@@ -97,9 +92,7 @@ void SimOutputs::close() {
       explanation->close();
     }
   }
-  if (bodies_) {
-    bodies_->close();
-  }
+  bodies_.close();
 }
 
 }  // namespace tactus::host

@@ -16,7 +16,7 @@
 #include "host_tools/simulation/run_log.h"
 #include "host_tools/simulation/run_recording.h"
 #include "host_tools/simulation/simulation.h"
-#include "host_tools/touch/bodies_csv.h"
+#include "host_tools/touch/body_files.h"
 
 namespace tactus::host {
 
@@ -27,7 +27,7 @@ struct SimFiles {
   std::string hashes;
   std::string record;
   std::string explain;
-  std::string bodies;
+  BodyFileNames bodies;
 };
 
 // Writes the outputs that the user asked for and shows the progress.
@@ -57,7 +57,7 @@ class SimOutputs {
   double seconds_;
   // An explanation stays where the controller knows it.
   std::deque<OfDevice> devices_;
-  std::optional<BodiesCsv> bodies_;
+  BodyFiles bodies_;
   std::optional<ProgressLine> progress_;
 };
 

@@ -63,7 +63,7 @@ void check_files(const SimOptions& options, std::size_t devices) {
   const SimFiles& files = options.files;
   std::vector<std::filesystem::path> inputs(options.run.paths.begin(), options.run.paths.end());
   inputs.emplace_back(options.scene);
-  std::vector<std::filesystem::path> outputs{files.bodies};
+  std::vector<std::filesystem::path> outputs{files.bodies.places, files.bodies.energy};
   for (const std::string& file : {files.output, files.hashes, files.record, files.explain}) {
     refuse_shared_pipe(file, devices);
     for (std::size_t i = 0; i < devices; ++i) {
@@ -150,8 +150,11 @@ void add_sim_verb(CLI::App& app) {
   verb->add_option(
       "--explain", options->files.explain,
       "Write every step of every tick to this CSV file (host_tools/explain/README.md)");
-  verb->add_option("--bodies", options->files.bodies,
+  verb->add_option("--bodies", options->files.bodies.places,
                    "Write where each body is at each tick to this CSV file");
+  verb->add_option("--body-energy", options->files.bodies.energy,
+                   "Write the energy of each body, and the work of the hands on it, to this CSV "
+                   "file");
   verb->add_option(
       "--fault", run.faults,
       "Let a device fail: stale, nan, estop or lost, like stale@2.5x3, or 2:lost@4 for "
@@ -167,7 +170,7 @@ void add_sim_verb(CLI::App& app) {
                  "Let tactus inject raise faults in --serve")
       ->needs(serve);
   for (const char* const other :
-       {"--output", "--hashes", "--explain", "--bodies", "--fault", "--json"}) {
+       {"--output", "--hashes", "--explain", "--bodies", "--body-energy", "--fault", "--json"}) {
     serve->excludes(verb->get_option(other));
   }
   verb->footer(kSimExamples);

@@ -18,7 +18,7 @@
 #include "host_tools/cli/progress_line.h"
 #include "host_tools/files/output_place.h"
 #include "host_tools/input_error.h"
-#include "host_tools/touch/bodies_csv.h"
+#include "host_tools/touch/body_files.h"
 #include "host_tools/touch/follow_paths.h"
 #include "host_tools/touch/tool_path.h"
 #include "host_tools/touch/tool_paths.h"
@@ -78,7 +78,7 @@ struct TouchOptions {
   std::vector<std::string> paths;
   std::string output;
   std::string explain;
-  std::string bodies;
+  BodyFileNames bodies;
   // Ticks in a second; nothing: one row is one tick.
   std::optional<double> rate_Hz;
   bool json = false;
@@ -97,7 +97,8 @@ std::vector<ToolFiles> output_files(const TouchOptions& options) {
     outputs.push_back(files.back().rows);
     outputs.push_back(files.back().steps);
   }
-  outputs.emplace_back(options.bodies);
+  outputs.emplace_back(options.bodies.places);
+  outputs.emplace_back(options.bodies.energy);
   refuse_shared_pipe(options.output, files.size());
   refuse_shared_pipe(options.explain, files.size());
   keep_inputs_safe(outputs, inputs);
@@ -156,19 +157,14 @@ void run(const TouchOptions& options) {
   for (const ToolFiles& own : files) {
     records.emplace_back(own, config.tool_radius_m);
   }
-  std::optional<BodiesCsv> bodies;
-  if (!options.bodies.empty()) {
-    bodies.emplace(options.bodies, scene.image());
-  }
+  BodyFiles bodies(options.bodies, scene.image());
   {
     ProgressLine progress;
-    follow_paths(*world, paths, records, bodies ? &*bodies : nullptr, [&](std::size_t ticks) {
+    follow_paths(*world, paths, records, bodies, [&](std::size_t ticks) {
       progress.step(fmt::format("{} of {} ticks", ticks, paths.size()));
     });
     std::ranges::for_each(records, &ToolRecord::close);
-    if (bodies) {
-      bodies->close();
-    }
+    bodies.close();
   }
   for (std::size_t i = 0; i < records.size(); ++i) {
     print(files[i].rows.string(), options.json, records[i].summary());
@@ -198,8 +194,11 @@ void add_touch_verb(CLI::App& app) {
       "--explain", options->explain,
       "Write every step of every tick to this CSV file (host_tools/explain/README.md); those of a "
       "second tool to NAME.2.csv, and so on");
-  verb->add_option("--bodies", options->bodies,
+  verb->add_option("--bodies", options->bodies.places,
                    "Write where each body is at each tick to this CSV file");
+  verb->add_option("--body-energy", options->bodies.energy,
+                   "Write the energy of each body, and the work of the hands on it, to this CSV "
+                   "file");
   verb->add_flag("--json", options->json, "Print the summary as one JSON object for each tool");
   verb->footer(kTouchExamples);
   verb->callback([options] { run(*options); });

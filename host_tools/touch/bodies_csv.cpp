@@ -6,8 +6,6 @@
 #include <iterator>
 #include <string_view>
 
-#include "host_tools/input_error.h"
-
 namespace tactus::host {
 namespace {
 
@@ -21,39 +19,10 @@ Eigen::Quaterniond upper_half(const Mat3& rotation) {
   return q.w() < 0.0 ? Eigen::Quaterniond(-q.coeffs()) : q;
 }
 
-// Returns a name as a field of a CSV file.
-std::string field(std::string_view name) {
-  if (name.find_first_of(",\"\n") == std::string_view::npos) {
-    return std::string(name);
-  }
-  std::string quoted = "\"";
-  for (const char letter : name) {
-    quoted += letter;
-    if (letter == '"') {
-      quoted += letter;
-    }
-  }
-  return quoted + '"';
-}
-
 }  // namespace
 
 BodiesCsv::BodiesCsv(const std::filesystem::path& path, const rendering::SceneImage& scene)
-    : file_(path, kBodiesColumns) {
-  for (std::uint32_t i = 0; i < scene.objects().size(); ++i) {
-    const rendering::Object& object = scene.objects()[i];
-    if (is_body(object)) {
-      bodies_.push_back({.name = field(scene.object_name(i)),
-                         .object = i,
-                         .axes_O = scene.bodies()[object.body].axes_O});
-    }
-  }
-  if (bodies_.empty()) {
-    throw InputError(
-        "the scene has no bodies; give an object a [object.body] and bake the scene again, or "
-        "leave out --bodies");
-  }
-}
+    : file_(path, kBodiesColumns), bodies_(named_bodies(scene, "--bodies")) {}
 
 void BodiesCsv::add(double t_s, const rendering::World& world) {
   for (const NamedBody& named : bodies_) {

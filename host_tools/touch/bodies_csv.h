@@ -1,13 +1,11 @@
 // The file of `tactus touch --bodies`: where each body is at each tick.
 #pragma once
 
-#include <cstdint>
 #include <filesystem>
-#include <string>
 #include <vector>
 
 #include "host_tools/simulation/run_log.h"
-#include "rendering/geometry/vector.h"
+#include "host_tools/touch/named_bodies.h"
 #include "rendering/scene/scene_image.h"
 #include "rendering/world/world.h"
 
@@ -27,12 +25,6 @@ class BodiesCsv {
   void close() { file_.close(); }
 
  private:
-  struct NamedBody {
-    std::string name;
-    std::uint32_t object = 0;
-    Mat3 axes_O;
-  };
-
   LogFile file_;
   std::vector<NamedBody> bodies_;
 };

@@ -5,7 +5,7 @@
 namespace tactus::host {
 
 void follow_paths(rendering::World& world, const ToolPaths& paths, std::deque<ToolRecord>& records,
-                  BodiesCsv* bodies, const std::function<void(std::size_t ticks)>& progress) {
+                  BodyFiles& bodies, const std::function<void(std::size_t ticks)>& progress) {
   constexpr std::size_t kTicksBetweenSteps = 4096;
   std::vector<rendering::ToolState> tools(paths.tools());
   std::vector<rendering::Touch> touches(paths.tools());
@@ -16,9 +16,7 @@ void follow_paths(rendering::World& world, const ToolPaths& paths, std::deque<To
     if (tick > 0 || has_bodies) {
       world.set_tick(paths.step_s(tick));
     }
-    if (bodies != nullptr) {
-      bodies->add(paths.time_s(tick), world);
-    }
+    bodies.add(paths.time_s(tick), world);
     for (std::size_t i = 0; i < paths.tools(); ++i) {
       tools[i] = paths.tool(i, tick);
       watchers[i] = records[i].begin();

@@ -5,7 +5,7 @@
 #include <deque>
 #include <functional>
 
-#include "host_tools/touch/bodies_csv.h"
+#include "host_tools/touch/body_files.h"
 #include "host_tools/touch/tool_paths.h"
 #include "host_tools/touch/tool_record.h"
 #include "rendering/world/world.h"
@@ -13,10 +13,10 @@
 namespace tactus::host {
 
 // Steps the world once a row of the paths, with all tools, and adds each tick to the records, one
-// for each tool, and the bodies at its beginning to `bodies`, unless that is null. The world has
-// the scene and as many tools. `progress` hears the number of ticks that are done, now and then.
+// for each tool, and the bodies at its beginning to `bodies`. The world has the scene and as many
+// tools. `progress` hears the number of ticks that are done, now and then.
 // Throws InputError if a file cannot be written.
 void follow_paths(rendering::World& world, const ToolPaths& paths, std::deque<ToolRecord>& records,
-                  BodiesCsv* bodies, const std::function<void(std::size_t ticks)>& progress);
+                  BodyFiles& bodies, const std::function<void(std::size_t ticks)>& progress);
 
 }  // namespace tactus::host

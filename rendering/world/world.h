@@ -177,6 +177,10 @@ class World {
 
   // Returns the body of an object after the last touch, or nullptr.
   [[nodiscard]] const RigidBody* body(std::uint32_t object) const { return bodies_.of(object); }
+  // Returns the work that all tools have done on an object's body in the last touch, J.
+  [[nodiscard]] double work_by_hands_J(std::uint32_t object) const {
+    return bodies_.work_by_hands_J(object);
+  }
   // Returns all that moves by forces.
   [[nodiscard]] const BodyWorld& bodies() const { return bodies_.bodies(); }
 

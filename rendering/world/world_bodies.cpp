@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <ranges>
 
+#include "rendering/bodies/body_energy.h"
+
 namespace tactus::rendering {
 namespace {
 
@@ -23,6 +25,7 @@ bool WorldBodies::set(const SceneObjects& scene, std::span<const ObjectBody> bod
                       const BodyLaws& laws) {
   bodies_.clear();
   obstacle_count_ = 0;
+  work_by_hands_J_.fill(0.0);
   bodies_.set_gravity(laws.gravity_W);
   bodies_.set_soft_fingers(laws.finger_yield_m3_per_N);
   bodies_.set_sleep(laws.sleep_after_s);
@@ -91,12 +94,19 @@ void WorldBodies::wake(std::uint32_t object) {
   }
 }
 
+std::size_t WorldBodies::number_of(std::uint32_t object) const {
+  const auto numbers = std::span(body_objects_).first(bodies_.bodies().size());
+  return static_cast<std::size_t>(std::ranges::find(numbers, object) - numbers.begin());
+}
+
 const RigidBody* WorldBodies::of(std::uint32_t object) const {
-  const auto bodies = bodies_.bodies();
-  const auto numbers = std::span(body_objects_).first(bodies.size());
-  const auto found = std::ranges::find(numbers, object);
-  return found == numbers.end() ? nullptr
-                                : &bodies[static_cast<std::size_t>(found - numbers.begin())];
+  const std::size_t number = number_of(object);
+  return number < bodies_.bodies().size() ? &bodies_.bodies()[number] : nullptr;
+}
+
+double WorldBodies::work_by_hands_J(std::uint32_t object) const {
+  const std::size_t number = number_of(object);
+  return number < bodies_.bodies().size() ? work_by_hands_J_[number] : 0.0;
 }
 
 void WorldBodies::place(SceneObjects& scene) const {
@@ -116,17 +126,24 @@ void WorldBodies::step(const SceneObjects& scene, std::span<ToolGrips> tools) {
   }
   std::array<FingerGrip, kMostGrips> grips;
   std::array<Vec3, kMostGrips> forces_W;
+  std::array<RigidPose, kMostGrips> before;
   std::size_t count = 0;
-  const auto numbers = std::span(body_objects_).first(bodies_.bodies().size());
   for (std::size_t i = 0; i < tools.size(); ++i) {
     for (const ToolGrip& grip : std::span(tools[i].grips).first(tools[i].count)) {
       grips[count] = grip.grip;
       grips[count].tool = static_cast<std::uint32_t>(i);
-      grips[count++].body =
-          static_cast<std::uint32_t>(std::ranges::find(numbers, grip.object) - numbers.begin());
+      grips[count].body = static_cast<std::uint32_t>(number_of(grip.object));
+      before[count] = bodies_.bodies()[grips[count].body].pose();
+      ++count;
     }
   }
   bodies_.step(scene.tick_s(), std::span(grips).first(count), std::span(forces_W).first(count));
+  work_by_hands_J_.fill(0.0);
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::uint32_t body = grips[i].body;
+    work_by_hands_J_[body] +=
+        work_on_body_J(-forces_W[i], grips[i].point_W, before[i], bodies_.bodies()[body].pose());
+  }
   count = 0;
   for (ToolGrips& tool : tools) {
     for (ToolGrip& grip : std::span(tool.grips).first(tool.count)) {

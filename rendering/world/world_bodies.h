@@ -42,6 +42,10 @@ class WorldBodies {
   // Returns the bodies' world.
   [[nodiscard]] const BodyWorld& bodies() const { return bodies_; }
 
+  // Returns the work that all tools have done on the body of an object in the last tick, J; 0
+  // without a body. The torque of soft fingers about their normals is not in it.
+  [[nodiscard]] double work_by_hands_J(std::uint32_t object) const;
+
   // Wakes the body of an object that has one.
   void wake(std::uint32_t object);
 
@@ -56,6 +60,8 @@ class WorldBodies {
   void transfer(StateArchive& archive);
 
  private:
+  // Returns the number of an object's body among the bodies; their number if it is none.
+  [[nodiscard]] std::size_t number_of(std::uint32_t object) const;
   // Adds an object, as a body if `body` is not nullptr.
   bool add(const SceneObjects& scene, std::uint32_t number, const ObjectBody* body);
 
@@ -64,6 +70,8 @@ class WorldBodies {
   std::array<std::uint32_t, kMaxBodies> body_objects_{};
   std::array<std::uint32_t, kMaxObstacles> obstacle_objects_{};
   std::size_t obstacle_count_ = 0;
+  // The work of all tools on each body in the last tick, J.
+  std::array<double, kMaxBodies> work_by_hands_J_{};
   // The hulls of primitives among them.
   std::array<PrimitiveHull, kMaxBodies + kMaxObstacles> hulls_;
 };

@@ -41,13 +41,14 @@ class SeveralDevicesSimTest : public FolderTest {
 TEST_F(SeveralDevicesSimTest, WritesTheFilesOfEachAndOfTheBodies) {
   const std::string output = sim(
       "--seconds 1 -o run.csv --hashes hashes.csv --record run.mcap --explain steps.csv --bodies "
-      "bodies.csv");
+      "bodies.csv --body-energy energy.csv");
   EXPECT_NE(output.find("device 1:\n"), std::string::npos) << output;
   EXPECT_NE(output.find("device 2:\n"), std::string::npos) << output;
   for (const char* const name : {"run.csv", "run.2.csv", "hashes.csv", "hashes.2.csv"}) {
     EXPECT_EQ(lines(name), 1001) << name;
   }
   EXPECT_EQ(lines("bodies.csv"), 1001);  // one body
+  EXPECT_EQ(lines("energy.csv"), 1001);
   EXPECT_GT(lines("steps.2.csv"), 1001);
   EXPECT_NE(run("replay run.mcap run.2.mcap").find("ticks 0 to 999"), std::string::npos);
   EXPECT_NE(run("replay run.2.mcap", 2).find("device 2 of 2"), std::string::npos);

@@ -13,14 +13,15 @@ namespace {
 // in a circle at 40 mm/s, 1.5 mm below a ball of 30 mm radius.
 double evaluations_per_tick(const FormulaSurface& ball, const Material& material) {
   constexpr int kTicks = 1000;
-  constexpr double kRadius_m = 0.0285;
-  constexpr double kTurn_rad = 4e-5 / kRadius_m;
+  constexpr double kStrokeRadius_m = 0.0285;
+  constexpr double kTurn_rad = 4e-5 / kStrokeRadius_m;
   ImplicitTracker tracker;
   tracker.place({0.0, 0.0, 0.04});
   std::size_t evaluated = 0;
   for (int tick = 0; tick < kTicks; ++tick) {
     const double angle = kTurn_rad * tick;
-    const Vec3 tool = kRadius_m * Vec3{std::sin(angle), 0.3 * std::cos(angle), std::cos(angle)};
+    const Vec3 tool =
+        kStrokeRadius_m * Vec3{std::sin(angle), 0.3 * std::cos(angle), std::cos(angle)};
     const ImplicitRest rest = tracker.advance(ball.surface, material, tool);
     EXPECT_EQ(rest.flags, kTouchClean);
     evaluated += rest.evaluated;
