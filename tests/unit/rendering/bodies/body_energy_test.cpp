@@ -18,7 +18,7 @@ TEST(BodyEnergy, ThePotentialEnergyIsTheWeightTimesTheHeight) {
 }
 
 // Half a turn takes the point to the other side of the axis.
-TEST(BodyEnergy, TheWorkIsTheForceAlongTheWayOfItsPoint) {
+TEST(BodyEnergy, TheWorkIsTheForceAlongTheMotionOfItsPoint) {
   const RigidPose before{.translation = {1.0, 0.0, 0.0}};
   const RigidPose after{.rotation = body_turned(Vec3::UnitZ(), std::numbers::pi),
                         .translation = {1.0, 0.3, 0.0}};
