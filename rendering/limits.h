@@ -58,6 +58,10 @@ inline constexpr std::size_t kMaxContactPatches = 4;
 // out least.
 inline constexpr std::size_t kMaxHullVertices = 64;
 
+// Convex parts of one body, and of all bodies of a scene. Beyond: World::set_scene refuses.
+inline constexpr std::size_t kMaxPartsOfBody = 16;
+inline constexpr std::size_t kMaxBodyParts = 128;
+
 // Effects in a scene. Beyond: World::set_scene refuses.
 inline constexpr std::size_t kMaxEffects = 16;
 

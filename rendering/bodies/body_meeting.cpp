@@ -33,10 +33,25 @@ double fastest_at(const SolverBody& solid, const PlacedHull& hull) {
          hull.reach_m() * solid.velocity().tail<3>().norm();
 }
 
+// Returns true if the spheres about two hulls are farther apart than the margin.
+bool are_apart(const PlacedHull& a, const PlacedHull& b, double margin_m) {
+  const double reach_m = a.reach_m() + b.reach_m() + margin_m;
+  return (a.middle_W() - b.middle_W()).squaredNorm() > reach_m * reach_m;
+}
+
 // Returns the pose of a frame, seen from another one.
 RigidPose seen_from(const RigidPose& X_WO, const RigidPose& X_WB) {
   return {.rotation = X_WO.rotation.transpose() * X_WB.rotation,
           .translation = X_WO.point_in(X_WB.translation)};
+}
+
+// Returns a manifold of a frame as one of the world.
+Manifold in_world(Manifold manifold, const RigidPose& X_WO) {
+  manifold.normal_W = X_WO.direction(manifold.normal_W);
+  for (ManifoldPoint& point : std::span(manifold.points).first(manifold.count)) {
+    point.point_W = X_WO.point(point.point_W);
+  }
+  return manifold;
 }
 
 }  // namespace
@@ -50,14 +65,30 @@ void BodyWorld::remember_contacts() {
 }
 
 double BodyWorld::place_hull(std::uint16_t solid, double tick_s) {
-  const bool is_body = solid < body_count_;
-  const BodyObstacle* const obstacle = is_body ? nullptr : &obstacles_[solid - body_count_];
-  const ConvexHull& hull = is_body ? starts_[solid].body.hull : obstacle->hull;
-  if (hull.vertices_O.empty()) {
-    return 0.0;
+  if (solid < body_count_) {
+    place_body(solid);
+  } else {
+    const BodyObstacle& obstacle = obstacles_[solid - body_count_];
+    if (obstacle.hull.vertices_O.empty()) {
+      return 0.0;
+    }
+    hulls_[solid].place(obstacle.hull, obstacle.X_WO);
   }
-  hulls_[solid].place(hull, is_body ? bodies_[solid].pose() : obstacle->X_WO);
   return tick_s * fastest(solids_[solid], hulls_[solid]);
+}
+
+void BodyWorld::place_body(std::size_t body) {
+  const BodyStart& start = starts_[body];
+  const RigidPose X_WO = bodies_[body].pose();
+  if (start.parts.empty()) {
+    hulls_[body].place(start.body.hull, X_WO);
+    return;
+  }
+  const auto placed = std::span(part_hulls_).subspan(first_part_[body], start.parts.size());
+  for (std::size_t i = 0; i < placed.size(); ++i) {
+    placed[i].place(start.parts[i], X_WO);
+  }
+  hulls_[body].enclose(placed);
 }
 
 double BodyWorld::margin_of(std::uint16_t a, std::uint16_t b, double tick_s,
@@ -91,39 +122,67 @@ void BodyWorld::find_contacts(double tick_s) {
   }
 }
 
+// A solid of one part is met as a whole. The contacts of parts are joined first.
 void BodyWorld::find_contacts_with(std::uint16_t a, std::uint16_t b, double margin_m) {
-  if (a < body_count_) {
-    add_contact(a, b, manifold_of(hulls_[a], hulls_[b], margin_m));
+  const bool has_hull = a < body_count_ || !obstacles_[a - body_count_].hull.vertices_O.empty();
+  if (parts_of(a).size() + parts_of(b).size() == 2) {
+    if (has_hull) {
+      add_contact(a, b, manifold_of(hulls_[a], hulls_[b], margin_m));
+    } else {
+      meet_surface(a, b, hulls_[b], margin_m,
+                   [&](const Manifold& manifold) { add_contact(a, b, manifold); });
+    }
     return;
   }
-  const BodyObstacle& obstacle = obstacles_[a - body_count_];
-  const RigidPose& X_WO = obstacle.X_WO;
-  const bool is_mesh = !obstacle.mesh.triangles.empty();
-  if (is_mesh || obstacle.field.is_there()) {
-    seen_.place(starts_[b].body.hull, seen_from(X_WO, bodies_[b].pose()));
-    const auto manifolds = is_mesh
-                               ? mesh_contact_.find(obstacle.mesh, obstacle.sides, seen_, margin_m)
-                               : field_contact_.find(obstacle.field, seen_, margin_m);
-    for (const Manifold& manifold : manifolds) {
-      add_contact(a, b, manifold, X_WO);
-    }
-    left_out_ = left_out_ || (is_mesh && mesh_contact_.has_left_out());
-  } else if (obstacle.hull.vertices_O.empty()) {
-    add_contact(a, b,
-                manifold_of(X_WO.point(obstacle.plane_O.translation),
-                            X_WO.direction(obstacle.plane_O.rotation.col(1)), hulls_[b], margin_m));
+  joined_.clear();
+  if (has_hull) {
+    join_parts(a, b, margin_m);
   } else {
-    add_contact(a, b, manifold_of(hulls_[a], hulls_[b], margin_m));
+    for (const PlacedHull& part : parts_of(b)) {
+      meet_surface(a, b, part, margin_m, [&](const Manifold& manifold) { joined_.add(manifold); });
+    }
+  }
+  for (const Manifold& manifold : joined_.all()) {
+    add_contact(a, b, manifold);
+  }
+  left_out_ = left_out_ || joined_.has_left_out();
+}
+
+void BodyWorld::join_parts(std::uint16_t a, std::uint16_t b, double margin_m) {
+  if (are_apart(hulls_[a], hulls_[b], margin_m)) {
+    return;
+  }
+  for (const PlacedHull& part_b : parts_of(b)) {
+    if (are_apart(hulls_[a], part_b, margin_m)) {
+      continue;
+    }
+    for (const PlacedHull& part_a : parts_of(a)) {
+      if (!are_apart(part_a, part_b, margin_m)) {
+        joined_.add(manifold_of(part_a, part_b, margin_m));
+      }
+    }
   }
 }
 
-void BodyWorld::add_contact(std::uint16_t a, std::uint16_t b, Manifold manifold,
-                            const RigidPose& X_WO) {
-  manifold.normal_W = X_WO.direction(manifold.normal_W);
-  for (ManifoldPoint& point : std::span(manifold.points).first(manifold.count)) {
-    point.point_W = X_WO.point(point.point_W);
+template <class Take>
+void BodyWorld::meet_surface(std::uint16_t a, std::uint16_t b, const PlacedHull& hull_b,
+                             double margin_m, const Take& take) {
+  const BodyObstacle& obstacle = obstacles_[a - body_count_];
+  const RigidPose& X_WO = obstacle.X_WO;
+  const bool is_mesh = !obstacle.mesh.triangles.empty();
+  if (!is_mesh && !obstacle.field.is_there()) {
+    take(manifold_of(X_WO.point(obstacle.plane_O.translation),
+                     X_WO.direction(obstacle.plane_O.rotation.col(1)), hull_b, margin_m));
+    return;
   }
-  add_contact(a, b, manifold);
+  seen_.place(hull_b.hull(), seen_from(X_WO, bodies_[b].pose()));
+  const auto manifolds = is_mesh
+                             ? mesh_contact_.find(obstacle.mesh, obstacle.sides, seen_, margin_m)
+                             : field_contact_.find(obstacle.field, seen_, margin_m);
+  for (const Manifold& manifold : manifolds) {
+    take(in_world(manifold, X_WO));
+  }
+  left_out_ = left_out_ || (is_mesh && mesh_contact_.has_left_out());
 }
 
 void BodyWorld::add_contact(std::uint16_t a, std::uint16_t b, const Manifold& manifold) {

@@ -104,7 +104,7 @@ void BodyWorld::rest_bodies(double tick_s, std::span<const FingerGrip> grips) {
       motion.velocity_W.setZero();
       motion.angular_momentum_W.setZero();
       bodies_[i].set_motion(motion);
-      hulls_[i].place(starts_[i].body.hull, bodies_[i].pose());
+      place_body(i);
     }
   }
 }

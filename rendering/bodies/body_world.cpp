@@ -1,5 +1,7 @@
 #include "rendering/bodies/body_world.h"
 
+#include <algorithm>
+
 namespace tactus::rendering {
 namespace {
 
@@ -21,6 +23,7 @@ bool is_hull(const ConvexHull& hull) {
 
 void BodyWorld::clear() {
   body_count_ = 0;
+  part_count_ = 0;
   obstacle_count_ = 0;
   gravity_W_ = Vec3::Zero();
   contact_count_ = 0;
@@ -31,9 +34,16 @@ void BodyWorld::clear() {
 }
 
 bool BodyWorld::add_body(const BodyStart& start) {
-  if (body_count_ == kMaxBodies || !valid(start.body.mass) || !is_hull(start.body.hull)) {
+  const std::span<const ConvexHull> parts = start.parts;
+  const bool has_room = body_count_ < kMaxBodies && parts.size() <= kMaxPartsOfBody &&
+                        parts.size() <= kMaxBodyParts - part_count_;
+  const bool has_shape =
+      parts.empty() ? is_hull(start.body.hull) : std::ranges::all_of(parts, is_hull);
+  if (!has_room || !has_shape || !valid(start.body.mass)) {
     return false;
   }
+  first_part_[body_count_] = static_cast<std::uint16_t>(part_count_);
+  part_count_ += parts.size();
   bodies_[body_count_] =
       RigidBody(start.body.mass, start.X_WO, start.body.velocity_W, start.body.angular_velocity_O);
   starts_[body_count_++] = start;

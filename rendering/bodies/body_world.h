@@ -11,6 +11,7 @@
 #include "rendering/bodies/body_sleep.h"
 #include "rendering/bodies/field_contact.h"
 #include "rendering/bodies/finger_grip.h"
+#include "rendering/bodies/joined_manifolds.h"
 #include "rendering/bodies/mesh_contact.h"
 #include "rendering/bodies/placed_hull.h"
 #include "rendering/bodies/rigid_body.h"
@@ -25,6 +26,8 @@ namespace tactus::rendering {
 // A body to be added: its description, with the hull whatever its surface is, and its surface.
 struct BodyStart {
   ObjectBody body;
+  // The convex parts by which it meets others, instead of the hull; none for a body of one.
+  std::span<const ConvexHull> parts;
   ContactSurface surface;
   // The pose of the object at the start.
   RigidPose X_WO;
@@ -60,7 +63,8 @@ class BodyWorld {
   void clear();
   // Adds a body or an obstacle, after clear(). Returns false, and adds nothing, if there are
   // kMaxBodies or kMaxObstacles already, or the mass is not valid() or the hull has no or too many
-  // vertices. Its views must stay alive and unchanged.
+  // vertices, or there are more than kMaxPartsOfBody or kMaxBodyParts. Its views must stay alive
+  // and unchanged.
   bool add_body(const BodyStart& start);
   bool add_obstacle(const BodyObstacle& obstacle);
   // Sets the gravity, m/s^2; zero by default. All bodies wake.
@@ -134,15 +138,28 @@ class BodyWorld {
   void remember_contacts();
   // Places the hull of a solid that has one, and returns how far it may move in the tick, m.
   double place_hull(std::uint16_t solid, double tick_s);
+  // Places the hull of a body, or its parts.
+  void place_body(std::size_t body);
+  // Returns the hulls of a solid: one, or those of a body's parts.
+  [[nodiscard]] std::span<const PlacedHull> parts_of(std::size_t solid) const {
+    const std::size_t parts = solid < body_count_ ? starts_[solid].parts.size() : 0;
+    return parts == 0 ? std::span(hulls_).subspan(solid, 1)
+                      : std::span(part_hulls_).subspan(first_part_[solid], parts);
+  }
   // Returns the margin within which two solids may meet in this tick, m.
   [[nodiscard]] double margin_of(std::uint16_t a, std::uint16_t b, double tick_s,
                                  const Margins& margins) const;
   // Finds the contacts of body b with a body, or with an obstacle, that its surface may reach
   // within the margin.
   void find_contacts_with(std::uint16_t a, std::uint16_t b, double margin_m);
-  // Adds the contact of a manifold; it is in the world frame, or in a frame whose pose is given.
+  // Joins the contacts of the parts of two solids with hulls.
+  void join_parts(std::uint16_t a, std::uint16_t b, double margin_m);
+  // Gives the manifolds of a hull of body b with an obstacle that has no hull to `take`.
+  template <class Take>
+  void meet_surface(std::uint16_t a, std::uint16_t b, const PlacedHull& hull_b, double margin_m,
+                    const Take& take);
+  // Adds the contact of a manifold in the world frame.
   void add_contact(std::uint16_t a, std::uint16_t b, const Manifold& manifold);
-  void add_contact(std::uint16_t a, std::uint16_t b, Manifold manifold, const RigidPose& X_WO);
   // Computes one sub-step; the last one has the bounces.
   void sub_step(double step_s, bool is_last);
   // Solves all contacts, with recovery from overlaps or without (nullptr).
@@ -157,6 +174,9 @@ class BodyWorld {
   std::array<BodyStart, kMaxBodies> starts_;
   std::array<RigidBody, kMaxBodies> bodies_;
   std::size_t body_count_ = 0;
+  // The parts of a body in part_hulls_ begin with this number.
+  std::array<std::uint16_t, kMaxBodies> first_part_{};
+  std::size_t part_count_ = 0;
   std::array<BodyObstacle, kMaxObstacles> obstacles_;
   std::size_t obstacle_count_ = 0;
   Vec3 gravity_W_ = Vec3::Zero();
@@ -172,15 +192,18 @@ class BodyWorld {
   std::size_t awake_count_ = 0;
   std::array<PastContact, 2 * kMaxBodyContacts> contacts_before_;
   std::size_t contact_count_before_ = 0;
-  // The hulls of bodies that sleep stay where they are.
+  // The hulls of bodies that sleep stay where they are. The hull of a body of several parts has
+  // their middle and their reach.
   std::array<PlacedHull, kMostSolids> hulls_;
+  std::array<PlacedHull, kMaxBodyParts> part_hulls_;
   std::array<SolverBody, kMostSolids> solids_;
   std::array<Shift, kMostSolids> shifts_;
   std::array<Vec6, kMostSolids> pushed_;
   std::array<Vec6, kMaxBodies> moved_;
+  JoinedManifolds joined_;
   MeshContact mesh_contact_;
   FieldContact field_contact_;
-  // A body, seen from the obstacle.
+  // A part of a body, seen from the obstacle.
   PlacedHull seen_;
   FingerGrips grips_;
 };

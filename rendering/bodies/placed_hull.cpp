@@ -30,6 +30,23 @@ void PlacedHull::place(const ConvexHull& hull, const RigidPose& X_WO) {
   reach_m_ = std::sqrt(farthest) + hull.radius_m;
 }
 
+void PlacedHull::enclose(std::span<const PlacedHull> hulls) {
+  count_ = 0;
+  Vec3 lower = hulls[0].middle_W_;
+  Vec3 upper = lower;
+  for (const PlacedHull& hull : hulls) {
+    const Vec3 half = hull.half_W_ + Vec3::Constant(hull.hull_.radius_m);
+    lower = lower.cwiseMin(hull.middle_W_ - half);
+    upper = upper.cwiseMax(hull.middle_W_ + half);
+  }
+  middle_W_ = 0.5 * (lower + upper);
+  half_W_ = 0.5 * (upper - lower);
+  reach_m_ = 0.0;
+  for (const PlacedHull& hull : hulls) {
+    reach_m_ = std::max(reach_m_, (hull.middle_W_ - middle_W_).norm() + hull.reach_m_);
+  }
+}
+
 PlacedHull::RimPoints PlacedHull::rim_points(const Vec3& normal_W) const {
   // Below this lean, rad, a circle lies in the plane: a lowest point would turn with the rounding.
   constexpr double kLean = 1e-3;

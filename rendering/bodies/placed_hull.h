@@ -19,6 +19,8 @@ class PlacedHull {
   PlacedHull() = default;
   // Takes the hull, which stays alive and has 1 to kMaxHullVertices vertices, to a pose.
   void place(const ConvexHull& hull, const RigidPose& X_WO);
+  // Takes the middle and the reach of all hulls together, at least one; it has no vertices then.
+  void enclose(std::span<const PlacedHull> hulls);
 
   // Returns the vertices, world frame, m.
   [[nodiscard]] std::span<const Vec3> vertices_W() const { return {vertices_W_.data(), count_}; }

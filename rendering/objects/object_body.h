@@ -1,10 +1,12 @@
 // What makes an object a body that moves by forces (rendering/bodies).
 #pragma once
 
+#include <cstdint>
 #include <limits>
 
 #include "rendering/geometry/convex_hull.h"
 #include "rendering/geometry/vector.h"
+#include "rendering/surface/primitive.h"
 
 namespace tactus::rendering {
 
@@ -55,11 +57,20 @@ constexpr bool is_sleep_time(double after_s) {
 // The largest torque of rolling or spinning friction over the normal force, m.
 inline constexpr double kMostTurnFriction_m = 1.0;
 
+// A convex part of a body: a hull, or a primitive where the hull has no vertices. Frame O.
+struct BodyPart {
+  ConvexHull hull;
+  Primitive primitive;
+};
+
 // A body as a scene describes it. It begins where the scene gives the object.
 struct ObjectBody {
   BodyMass mass;
   // The collision shape of a mesh; a primitive is its own.
   ConvexHull hull;
+  // The parts by which it meets others instead: so many of the scene's parts, from the first on.
+  std::uint32_t first_part = 0;
+  std::uint32_t part_count = 0;
   // The axes of the object as the scene gives it, which its numbers refer to, in O.
   Mat3 axes_O = Mat3::Identity();
   // The share of the approaching speed that is left after a bounce, 0 to 1.

@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "rendering/bodies/primitive_hull.h"
 #include "rendering/bodies/rigid_body.h"
 #include "rendering/limits.h"
+#include "rendering/scene/shape_reader.h"
 #include "rendering/scene/stored.h"
 
 namespace tactus::rendering {
@@ -46,6 +48,22 @@ bool is_hull(const ConvexHull& hull) {
          std::ranges::all_of(hull.edges, is_good_edge);
 }
 
+// Returns the hull of a body or a part, used in place; nothing if its arrays are not aligned.
+template <class Stored>
+std::optional<ConvexHull> read_hull(const Stored& stored) {
+  if (!is_aligned(stored.hull_vertices()) || !is_aligned(stored.hull_faces())) {
+    return std::nullopt;
+  }
+  ConvexHull hull{.vertices_O = in_place<Vec3>(stored.hull_vertices()),
+                  .faces = in_place<HullFace>(stored.hull_faces()),
+                  .corners = {},
+                  .edges = in_place<HullEdge>(stored.hull_edges())};
+  if (stored.hull_corners() != nullptr) {
+    hull.corners = {stored.hull_corners()->data(), stored.hull_corners()->size()};
+  }
+  return hull;
+}
+
 Mat3 to_matrix(const image::Inertia& stored) {
   Mat3 m;
   m << stored.xx(), stored.xy(), stored.xz(), stored.xy(), stored.yy(), stored.yz(), stored.xz(),
@@ -71,7 +89,8 @@ double read_sleep_time(double stored) {
 }
 
 std::expected<ObjectBody, SceneError> read_body(const image::Body& stored, const Object& object) {
-  if (!is_aligned(stored.hull_vertices()) || !is_aligned(stored.hull_faces())) {
+  const std::optional<ConvexHull> hull = read_hull(stored);
+  if (!hull) {
     return fail(SceneFault::malformed);
   }
   ObjectBody body{.mass = {.mass_kg = stored.mass(),
@@ -79,21 +98,16 @@ std::expected<ObjectBody, SceneError> read_body(const image::Body& stored, const
                            .inertia_C = to_matrix(*stored.inertia()),
                            .linear_damping_per_s = stored.linear_damping(),
                            .angular_damping_per_s = stored.angular_damping()},
-                  .hull = {.vertices_O = in_place<Vec3>(stored.hull_vertices()),
-                           .faces = in_place<HullFace>(stored.hull_faces()),
-                           .corners = {},
-                           .edges = in_place<HullEdge>(stored.hull_edges())},
+                  .hull = *hull,
+                  .part_count = stored.parts() == nullptr ? 0 : stored.parts()->size(),
                   .axes_O = to_pose(*stored.axes()).rotation,
                   .restitution = stored.restitution(),
                   .rolling_friction_m = stored.rolling_friction(),
                   .spinning_friction_m = stored.spinning_friction(),
                   .velocity_W = to_vec3(*stored.velocity()),
                   .angular_velocity_O = to_vec3(*stored.angular_velocity())};
-  if (stored.hull_corners() != nullptr) {
-    body.hull.corners = {stored.hull_corners()->data(), stored.hull_corners()->size()};
-  }
   const bool has_shape =
-      !body.hull.vertices_O.empty() ||
+      body.part_count > 0 || !body.hull.vertices_O.empty() ||
       (object.surface == SurfaceKind::primitive && has_hull(object.primitive.kind));
   const bool is_good = has_shape && valid(body.mass) && is_hull(body.hull) &&
                        body.axes_O.allFinite() && body.restitution >= 0.0 &&
@@ -106,6 +120,24 @@ std::expected<ObjectBody, SceneError> read_body(const image::Body& stored, const
     return fail(SceneFault::body);
   }
   return body;
+}
+
+std::expected<BodyPart, SceneError> read_body_part(const image::BodyPart& stored) {
+  const std::optional<ConvexHull> hull = read_hull(stored);
+  if (!hull) {
+    return fail(SceneFault::malformed);
+  }
+  if (stored.primitive() == nullptr) {
+    if (hull->vertices_O.empty() || !is_hull(*hull)) {
+      return fail(SceneFault::body_part);
+    }
+    return BodyPart{.hull = *hull, .primitive = {}};
+  }
+  const std::optional<Primitive> primitive = read_primitive(*stored.primitive());
+  if (!primitive || !has_hull(primitive->kind)) {
+    return fail(SceneFault::body_part);
+  }
+  return BodyPart{.hull = {}, .primitive = *primitive};
 }
 
 }  // namespace tactus::rendering

@@ -21,7 +21,10 @@ double read_finger_modulus(double stored);
 double read_sleep_time(double stored);
 
 // Returns the body of an object whose surface, method and motion are read; its hull is used in
-// place. Errors: body, malformed.
+// place. Its parts are not read, but counted. Errors: body, malformed.
 std::expected<ObjectBody, SceneError> read_body(const image::Body& stored, const Object& object);
+
+// Returns a part of a body; its hull is used in place. Errors: body_part, malformed.
+std::expected<BodyPart, SceneError> read_body_part(const image::BodyPart& stored);
 
 }  // namespace tactus::rendering

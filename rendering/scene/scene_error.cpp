@@ -69,8 +69,12 @@ constexpr std::array kTexts{
         "again",
         ""},
     Text{"more than 16 objects with tissue; leave some out", "count"},
+    Text{"part of a body is neither a convex primitive nor a hull that can be used; bake the scene "
+         "again",
+         "part"},
+    Text{"more than 16 parts of a body, or 128 of all bodies; leave some out", "count"},
 };
-static_assert(kTexts.size() == static_cast<std::size_t>(SceneFault::tissue_count) + 1);
+static_assert(kTexts.size() == static_cast<std::size_t>(SceneFault::body_part_count) + 1);
 
 const Text& text_of(SceneFault fault) {
   return kTexts[static_cast<std::size_t>(fault)];

@@ -54,6 +54,8 @@ enum class SceneFault : std::uint8_t {
   needle,             // a number of the needle out of range
   tissue,             // a number out of range, or of an object that cannot be pierced
   tissue_count,       // more than kMaxTissues; place: number found
+  body_part,          // neither a convex primitive nor a sound hull; place: part
+  body_part_count,    // more than kMaxPartsOfBody or kMaxBodyParts; place: number found
 };
 
 // A name from an image, for a message: the first 31 characters, with ? for those that are not

@@ -275,38 +275,6 @@ Result SceneImage::take_object(const image::Object& object, std::size_t index) {
   return {};
 }
 
-Result SceneImage::take_body(const image::Body* stored, Object& object) {
-  if (stored == nullptr) {
-    return {};
-  }
-  if (body_count_ == kMaxBodies) {
-    return fail(SceneFault::body_count, kMaxBodies + 1);
-  }
-  const std::expected<ObjectBody, SceneError> body = read_body(*stored, object);
-  if (!body) {
-    return std::unexpected(body.error());
-  }
-  object.body = static_cast<std::uint8_t>(body_count_);
-  bodies_[body_count_++] = *body;
-  return {};
-}
-
-Result SceneImage::take_tissue(const image::Tissue* stored, Object& object) {
-  if (stored == nullptr) {
-    return {};
-  }
-  if (tissue_count_ == kMaxTissues) {
-    return fail(SceneFault::tissue_count, kMaxTissues + 1);
-  }
-  const std::expected<Tissue, SceneError> tissue = read_tissue(*stored, needle_, object);
-  if (!tissue) {
-    return std::unexpected(tissue.error());
-  }
-  object.tissue = static_cast<std::uint8_t>(tissue_count_);
-  tissues_[tissue_count_++] = *tissue;
-  return {};
-}
-
 std::string_view SceneImage::object_name(std::size_t index) const {
   const flatbuffers::String* name =
       scene_->objects()->Get(static_cast<flatbuffers::uoffset_t>(index))->name();

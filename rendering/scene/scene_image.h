@@ -69,6 +69,10 @@ class SceneImage {
   [[nodiscard]] std::span<const ObjectBody> bodies() const {
     return std::span(bodies_).first(body_count_);
   }
+  // Returns the convex parts, to which the bodies refer: at most kMaxBodyParts.
+  [[nodiscard]] std::span<const BodyPart> body_parts() const {
+    return std::span(body_parts_).first(body_part_count_);
+  }
   // Returns the gravity that acts on bodies, m/s^2.
   [[nodiscard]] const Vec3& gravity_W() const { return gravity_W_; }
   // Returns the effective modulus of soft fingers, Pa; 0 for fingers that touch in a point.
@@ -100,6 +104,7 @@ class SceneImage {
   std::expected<void, SceneError> take_effects(const image::Scene& scene);
   std::expected<void, SceneError> take_object(const image::Object& object, std::size_t index);
   std::expected<void, SceneError> take_body(const image::Body* stored, Object& object);
+  std::expected<void, SceneError> take_body_parts(const image::Body& stored, ObjectBody& body);
   std::expected<void, SceneError> take_tissue(const image::Tissue* stored, Object& object);
 
   // The payload, in the bytes given to `open`.
@@ -117,6 +122,8 @@ class SceneImage {
   double sleep_after_s_ = 0.0;
   std::size_t body_count_ = 0;
   std::array<ObjectBody, kMaxBodies> bodies_{};
+  std::size_t body_part_count_ = 0;
+  std::array<BodyPart, kMaxBodyParts> body_parts_{};
   Needle needle_;
   std::size_t tissue_count_ = 0;
   std::array<Tissue, kMaxTissues> tissues_{};

@@ -11,6 +11,7 @@ inline WorldConfig world_of(const SceneImage& scene) {
   return {.tool_radius_m = scene.tool_radius_m(),
           .effects = scene.effects(),
           .bodies = scene.bodies(),
+          .body_parts = scene.body_parts(),
           .gravity_W = scene.gravity_W(),
           .soft_finger_modulus_Pa = scene.soft_finger_modulus_Pa(),
           .sleep_after_s = scene.sleep_after_s(),

@@ -77,7 +77,7 @@ void BodyWorld::transfer(StateArchive& archive) {
   sleep_.transfer(archive, static_cast<std::uint16_t>(body_count_), solids);
   for (std::size_t i = 0; archive.is_reading() && i < body_count_; ++i) {
     if (sleep_.is_asleep(i)) {
-      hulls_[i].place(starts_[i].body.hull, bodies_[i].pose());
+      place_body(i);
     }
   }
 }

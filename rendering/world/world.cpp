@@ -41,7 +41,7 @@ bool World::set_scene(std::span<const Object> objects, const WorldConfig& config
       is_sleep_time(config.sleep_after_s) && valid(config.needle, objects) &&
       std::ranges::all_of(config.effects, [](const Effect& effect) { return valid(effect); });
   bool good = scene_.set(good_config ? objects : std::span<const Object>{}) && good_config;
-  if (!bodies_.set(scene_, config.bodies, laws_of(config))) {
+  if (!bodies_.set(scene_, config.bodies, config.body_parts, laws_of(config))) {
     scene_.set({});
     good = false;
   }

@@ -34,6 +34,8 @@ struct WorldConfig {
   std::span<const Effect> effects;
   // The bodies among the objects, each once, in any order. The caller keeps their hulls alive.
   std::span<const ObjectBody> bodies;
+  // The convex parts to which the bodies refer. The caller keeps their hulls alive.
+  std::span<const BodyPart> body_parts;
   // The gravity that acts on bodies, m/s^2; the default is the standard one, downward.
   Vec3 gravity_W = standard_gravity_W();
   // The effective modulus of fingers that are soft, Pa (finger_grip.h); 0 for fingers that touch in

@@ -22,13 +22,16 @@ ContactSurface surface_of(const SceneObjects& scene, std::uint32_t number, const
 }  // namespace
 
 bool WorldBodies::set(const SceneObjects& scene, std::span<const ObjectBody> bodies,
-                      const BodyLaws& laws) {
+                      std::span<const BodyPart> parts, const BodyLaws& laws) {
   bodies_.clear();
   obstacle_count_ = 0;
   work_by_hands_J_.fill(0.0);
   bodies_.set_gravity(laws.gravity_W);
   bodies_.set_soft_fingers(laws.finger_yield_m3_per_N);
   bodies_.set_sleep(laws.sleep_after_s);
+  if (!make_parts(parts)) {
+    return false;
+  }
   const auto numbers = std::views::iota(0U, static_cast<std::uint32_t>(scene.size()));
   const bool any_body =
       std::ranges::any_of(numbers, [&](std::uint32_t number) { return is_body(scene[number]); });
@@ -65,10 +68,8 @@ bool WorldBodies::add(const SceneObjects& scene, std::uint32_t number, const Obj
   }
   const ContactSurface surface = surface_of(scene, number, body);
   if (body != nullptr) {
-    BodyStart start{.body = *body, .surface = surface, .X_WO = {}};
-    start.body.hull = hull;
     body_objects_[count] = number;
-    return bodies_.add_body(start);
+    return add_body(*body, hull, surface);
   }
   obstacle_objects_[count] = number;
   ++obstacle_count_;
@@ -84,6 +85,39 @@ bool WorldBodies::add(const SceneObjects& scene, std::uint32_t number, const Obj
        .surface = surface,
        .X_WO = {},
        .twist = {}});
+}
+
+bool WorldBodies::make_parts(std::span<const BodyPart> parts) {
+  part_count_ = 0;
+  const bool are_good = std::ranges::all_of(parts, [](const BodyPart& part) {
+    return !part.hull.vertices_O.empty() || has_hull(part.primitive.kind);
+  });
+  if (parts.size() > kMaxBodyParts || !are_good) {
+    return false;
+  }
+  for (const BodyPart& part : parts) {
+    part_hulls_[part_count_] = part.hull;
+    if (part.hull.vertices_O.empty()) {
+      primitive_parts_[part_count_].make(part.primitive);
+      part_hulls_[part_count_] = primitive_parts_[part_count_].hull();
+    }
+    ++part_count_;
+  }
+  return true;
+}
+
+bool WorldBodies::add_body(const ObjectBody& body, const ConvexHull& hull,
+                           const ContactSurface& surface) {
+  if (body.first_part > part_count_ || body.part_count > part_count_ - body.first_part) {
+    return false;
+  }
+  BodyStart start{
+      .body = body,
+      .parts = std::span<const ConvexHull>(part_hulls_).subspan(body.first_part, body.part_count),
+      .surface = surface,
+      .X_WO = {}};
+  start.body.hull = hull;
+  return bodies_.add_body(start);
 }
 
 void WorldBodies::wake(std::uint32_t object) {

@@ -32,8 +32,10 @@ class WorldBodies {
  public:
   // Starts over with the bodies of a scene; the objects stay alive. Returns false, and has no
   // bodies, if there are more than kMaxBodies, or more than kMaxObstacles beside them, or if an
-  // object names a body that is not there or not sound.
-  bool set(const SceneObjects& scene, std::span<const ObjectBody> bodies, const BodyLaws& laws);
+  // object names a body that is not there or not sound, or a body names parts that are not there,
+  // or more than kMaxPartsOfBody or kMaxBodyParts.
+  bool set(const SceneObjects& scene, std::span<const ObjectBody> bodies,
+           std::span<const BodyPart> parts, const BodyLaws& laws);
 
   // Returns true if there are bodies.
   [[nodiscard]] bool any() const { return !bodies_.bodies().empty(); }
@@ -64,6 +66,10 @@ class WorldBodies {
   [[nodiscard]] std::size_t number_of(std::uint32_t object) const;
   // Adds an object, as a body if `body` is not nullptr.
   bool add(const SceneObjects& scene, std::uint32_t number, const ObjectBody* body);
+  // Makes the hulls of the parts. Returns false if there are too many, or one is not convex.
+  bool make_parts(std::span<const BodyPart> parts);
+  // Adds a body with this hull, or with those of its parts. Returns false if they are not there.
+  bool add_body(const ObjectBody& body, const ConvexHull& hull, const ContactSurface& surface);
 
   BodyWorld bodies_;
   // The numbers of the objects that are bodies and obstacles.
@@ -74,6 +80,10 @@ class WorldBodies {
   std::array<double, kMaxBodies> work_by_hands_J_{};
   // The hulls of primitives among them.
   std::array<PrimitiveHull, kMaxBodies + kMaxObstacles> hulls_;
+  // The hulls of the scene's parts; those of primitives refer to primitive_parts_.
+  std::array<ConvexHull, kMaxBodyParts> part_hulls_;
+  std::array<PrimitiveHull, kMaxBodyParts> primitive_parts_;
+  std::size_t part_count_ = 0;
 };
 
 }  // namespace tactus::rendering

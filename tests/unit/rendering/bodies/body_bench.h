@@ -72,6 +72,22 @@ class BodyBench {
                                   .surface = surface,
                                   .X_WO = pose}));
   }
+  // Adds a body of several parts, which are placed in its frame.
+  void add_compound(const std::vector<Primitive>& parts, const BodyMass& mass,
+                    const RigidPose& pose, const ContactSurface& surface,
+                    const Vec3& velocity = Vec3::Zero()) {
+    std::vector<ConvexHull>& hulls =
+        *compounds_.emplace_back(std::make_unique<std::vector<ConvexHull>>());
+    for (const Primitive& part : parts) {
+      hulls_.push_back(std::make_unique<PrimitiveHull>());
+      hulls_.back()->make(part);
+      hulls.push_back(hulls_.back()->hull());
+    }
+    ASSERT_TRUE(world_->add_body({.body = {.mass = mass, .velocity_W = velocity},
+                                  .parts = hulls,
+                                  .surface = surface,
+                                  .X_WO = pose}));
+  }
   void add_box(const Vec3& half, double mass_kg, const RigidPose& pose, double friction,
                const Vec3& velocity = Vec3::Zero()) {
     add({.kind = PrimitiveKind::box, .dimensions_m = {half.x(), half.y(), half.z()}},
@@ -95,6 +111,7 @@ class BodyBench {
  private:
   std::unique_ptr<BodyWorld> world_;
   std::vector<std::unique_ptr<PrimitiveHull>> hulls_;
+  std::vector<std::unique_ptr<std::vector<ConvexHull>>> compounds_;
   std::vector<std::unique_ptr<testing::Solid>> meshes_;
 };
 

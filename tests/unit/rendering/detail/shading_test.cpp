@@ -22,7 +22,7 @@ using testing::ShadedSolid;
 constexpr double kDegree = std::numbers::pi / 180.0;
 
 constexpr int kSides = 16;
-constexpr double kRadius_m = 0.02;
+constexpr double kShadedRadius_m = 0.02;
 constexpr Material kRubbed{.stiffness_N_per_m = 1000.0, .friction = cone_friction(0.4, 0.3)};
 
 // The tool's path round the prism.
@@ -36,8 +36,8 @@ struct Stroke {
 std::vector<double> directions(const Object& object, const Stroke& stroke) {
   const auto& [radius_m, depth_m, step_deg] = stroke;
   Hand hand(object, radius_m);
-  const double at = kRadius_m * std::cos(std::numbers::pi / kSides) + radius_m - depth_m;
-  hand.touch({kRadius_m + 2.0 * radius_m + 0.001, 0.0, 0.0});
+  const double at = kShadedRadius_m * std::cos(std::numbers::pi / kSides) + radius_m - depth_m;
+  hand.touch({kShadedRadius_m + 2.0 * radius_m + 0.001, 0.0, 0.0});
   std::vector<double> result;
   for (int i = 0; i < static_cast<int>(400.0 / step_deg); ++i) {
     const double angle = step_deg * i * kDegree;
@@ -62,7 +62,7 @@ double largest_turn_per_degree(const Object& object, const Stroke& stroke) {
 
 // The force also turns as evenly when the tool is fast: 20, 90 and 180 mm/s at 1 kHz.
 TEST(ForceShading, ASixteenSidedCylinderTurnsTheForceTenTimesMoreEvenly) {
-  const ShadedSolid cylinder(testing::prism(kSides, kRadius_m, 0.04), 40.0, kSlippery);
+  const ShadedSolid cylinder(testing::prism(kSides, kShadedRadius_m, 0.04), 40.0, kSlippery);
   for (const double radius_m : {0.0, 0.002}) {
     for (const double depth_m : {0.0005, 0.001, 0.002}) {
       double slow = std::numeric_limits<double>::infinity();
@@ -85,7 +85,7 @@ TEST(ForceShading, ASixteenSidedCylinderTurnsTheForceTenTimesMoreEvenly) {
 TEST(ForceShading, TheForceIsAlongTheInterpolatedNormal) {
   // On the prism's round side the interpolated normal at a surface point is nearly radial, so the
   // force leads away from the axis through the proxy's contact point.
-  const ShadedSolid cylinder(testing::prism(kSides, kRadius_m, 0.04), 40.0, kSlippery);
+  const ShadedSolid cylinder(testing::prism(kSides, kShadedRadius_m, 0.04), 40.0, kSlippery);
   Hand hand(cylinder.shaded(), 0.0);
   hand.touch({0.03, 0.001, 0.0});
   for (double angle_deg = 0.0; angle_deg < 30.0; angle_deg += 0.1) {
@@ -115,7 +115,7 @@ TEST(ForceShading, ABoxIsFeltAsWithout) {
 // The coefficient that is felt when the tool slides along the axis at a depth.
 double felt_friction(const Object& object, double radius_m, double depth_m) {
   Hand hand(object, radius_m);
-  const double x = kRadius_m * std::cos(std::numbers::pi / kSides) + radius_m - depth_m;
+  const double x = kShadedRadius_m * std::cos(std::numbers::pi / kSides) + radius_m - depth_m;
   const double angle = 14.0 * kDegree;
   hand.touch({0.03, 0.008, 0.0});
   Touch t;
@@ -127,7 +127,7 @@ double felt_friction(const Object& object, double radius_m, double depth_m) {
 }
 
 TEST(ForceShading, FrictionKeepsItsCoefficient) {
-  const ShadedSolid cylinder(testing::prism(kSides, kRadius_m, 0.04), 40.0, kRubbed);
+  const ShadedSolid cylinder(testing::prism(kSides, kShadedRadius_m, 0.04), 40.0, kRubbed);
   for (const double radius_m : {0.0, 0.002}) {
     for (const double depth_m : {0.0005, 0.002, 0.004}) {
       // The lean of the force shortens what the plane is pressed by its cosine, here above 0.98.
