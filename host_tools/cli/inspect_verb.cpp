@@ -18,6 +18,7 @@
 #include "host_tools/bake/scene/open_loops.h"
 #include "host_tools/cli/inspect_graph.h"
 #include "host_tools/cli/inspect_holes.h"
+#include "host_tools/cli/inspect_parts.h"
 #include "host_tools/cli/picture_option.h"
 #include "host_tools/files/output_place.h"
 #include "host_tools/units.h"
@@ -61,6 +62,8 @@ struct ObjectSummary {
   std::optional<ClosedVolume> volume;
   // The holes of a mesh; none of another surface.
   std::vector<OpenLoop> holes;
+  // The convex parts of its body.
+  std::vector<rendering::BodyPart> parts;
 
   // The corners of the object's box, world frame, m: the root of the hierarchy has them.
   [[nodiscard]] const Float3& lower() const { return object.mesh.nodes.front().lower; }
@@ -88,7 +91,8 @@ ObjectSummary summarise(const SceneImage& image, std::size_t index) {
           .volume = image.objects()[index].surface == rendering::SurfaceKind::mesh
                         ? closed_volume(baked)
                         : std::nullopt,
-          .holes = holes_of(image, index)};
+          .holes = holes_of(image, index),
+          .parts = parts_of(image, index)};
 }
 
 nlohmann::ordered_json to_json(const Float3& v) {
@@ -145,6 +149,7 @@ nlohmann::ordered_json to_json(const ObjectSummary& s) {
           {"non_manifold_edges", s.counters.non_manifold_edges},
           {"inconsistent_edges", s.counters.inconsistent_edges},
           {"holes", to_json(s.holes)},
+          {"body_parts", json_of_parts(s.parts)},
           {"volume_m3", s.volume ? nlohmann::ordered_json(s.volume->volume_m3) : nullptr},
           {"parts_inside_out", s.volume ? nlohmann::ordered_json(s.volume->inside_out) : nullptr}};
 }
@@ -235,6 +240,7 @@ void print_object(const ObjectSummary& s) {
              s.counters.open_edges, s.counters.non_manifold_edges, s.counters.inconsistent_edges);
   print_holes(s);
   print_volume(s);
+  print_parts(s.parts);
   fmt::print("  baking     welded {} vertices, dropped {} triangles\n", s.counters.welded_vertices,
              s.counters.degenerate_triangles);
 }

@@ -12,6 +12,7 @@
 #include "host_tools/bake/scene/corner_normals.h"
 #include "host_tools/bake/scene/friction_check.h"
 #include "host_tools/bake/scene/object_mesh.h"
+#include "host_tools/bake/scene/part_bake.h"
 #include "host_tools/bake/scene/progress.h"
 #include "host_tools/bake/scene/size_check.h"
 #include "host_tools/bake/scene/texture_bake.h"
@@ -142,15 +143,16 @@ void add_body(const ObjectDescription& object, const std::string& scene, BakedOb
   if (!object.body) {
     return;
   }
+  std::vector<std::string> notes;
   try {
-    std::vector<std::string> notes;
     baked.body = bake_body(*object.body, baked.shape, object.placement, baked.mesh, notes);
-    for (const std::string& note : notes) {
-      report.warnings.push_back(fmt::format("{}: {}", object.name, note));
-    }
   } catch (const InputError& error) {
     throw InputError(
         fmt::format("{}:{}: {}: {}", scene, object.body->line, object.name, error.what()));
+  }
+  baked.body->parts = bake_parts(object, scene, notes);
+  for (const std::string& note : notes) {
+    report.warnings.push_back(fmt::format("{}: {}", object.name, note));
   }
 }
 
@@ -215,6 +217,9 @@ std::vector<std::filesystem::path> files_of(const std::filesystem::path& scene,
   std::vector<std::filesystem::path> files = {scene};
   for (const ObjectDescription& object : description.objects) {
     files.push_back(object.mesh);
+    if (object.body) {
+      std::ranges::transform(object.body->parts, std::back_inserter(files), &PartDescription::mesh);
+    }
     for (const TextureDescription& texture : object.detail.textures) {
       files.push_back(texture.image);
     }
@@ -250,6 +255,7 @@ BakedImage bake_scene(const SceneDescription& description, const Progress& progr
   }
   require_room(needs, description.file);
   const bool is_with_bodies = has_bodies(description);
+  check_parts(description);
   for (const ObjectDescription& object : description.objects) {
     ObjectReport& own = report.objects.emplace_back();
     baked.objects.push_back(is_touched_as_mesh(object)

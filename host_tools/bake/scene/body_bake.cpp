@@ -7,7 +7,6 @@
 #include <map>
 #include <utility>
 
-#include "host_tools/bake/body/convex_hull.h"
 #include "host_tools/bake/body/inertia.h"
 #include "host_tools/bake/body/mass_properties.h"
 #include "host_tools/bake/body/primitive_mass.h"
@@ -25,16 +24,38 @@ MassProperties moved_by(const MassProperties& properties, const rendering::Rigid
           .inertia_C = pose.rotation * properties.inertia_C * pose.rotation.transpose()};
 }
 
-// Returns the mass properties of the shape, in the frame of the scene.
+// Returns the mass properties of the mesh. A body of parts is told that it may have others.
+MassProperties mass_of_mesh(const BodyDescription& description, const BakedMesh& mesh) {
+  try {
+    return mesh_mass_properties(std::span<const rendering::Float3>(mesh.vertices), mesh.triangles,
+                                description.density_kg_per_m3);
+  } catch (const InputError& error) {
+    if (description.parts.empty()) {
+      throw;
+    }
+    throw InputError(fmt::format(
+        "{}; parts may overlap and say nothing about the mass: close the mesh, or write mass_kg, "
+        "center_of_mass_m and inertia_kg_m2",
+        error.what()));
+  }
+}
+
+// Returns the mass properties of the shape, in the frame of the scene, as far as the description
+// does not say them.
 MassProperties mass_of(const BodyDescription& description, const ShapeDescription& shape,
-                       const BakedMesh& mesh, const Mat3& axes) {
+                       const BakedMesh& mesh, const Placement& placement) {
+  const Mat3 axes = placement.rotation.toRotationMatrix();
+  if (description.center_of_mass_B) {
+    return {.mass_kg = *description.mass_kg,
+            .center_O = placement.position_m + axes * *description.center_of_mass_B,
+            .inertia_C = axes * inertia_of_numbers(description.inertia_kg_m2) * axes.transpose()};
+  }
   const auto* const primitive = std::get_if<rendering::Primitive>(&shape);
   MassProperties properties =
       primitive != nullptr
           ? moved_by(primitive_mass_properties(*primitive, description.density_kg_per_m3),
                      primitive->X_WO)
-          : mesh_mass_properties(std::span<const rendering::Float3>(mesh.vertices), mesh.triangles,
-                                 description.density_kg_per_m3);
+          : mass_of_mesh(description, mesh);
   if (description.mass_kg) {
     properties = with_mass(properties, *description.mass_kg);
   }
@@ -65,18 +86,6 @@ std::vector<rendering::HullEdge> edges_of(const ConvexHull& hull) {
   return edges;
 }
 
-BakedHull arrays_of(const ConvexHull& hull) {
-  BakedHull baked{.vertices = hull.vertices, .faces = {}, .corners = {}, .edges = edges_of(hull)};
-  for (const ConvexHull::Face& face : hull.faces) {
-    baked.faces.push_back({.normal_O = face.normal,
-                           .first = static_cast<std::uint32_t>(baked.corners.size()),
-                           .count = static_cast<std::uint32_t>(face.vertices.size())});
-    std::ranges::transform(face.vertices, std::back_inserter(baked.corners),
-                           [](std::uint32_t i) { return static_cast<std::uint8_t>(i); });
-  }
-  return baked;
-}
-
 // Returns the hull of the mesh, and tells where bodies meet it and not the shape.
 BakedHull hull_of(const BakedMesh& mesh, std::vector<std::string>& warnings) {
   // A shape that fills less of its hull is not taken for convex.
@@ -104,24 +113,39 @@ BakedHull hull_of(const BakedMesh& mesh, std::vector<std::string>& warnings) {
 
 }  // namespace
 
+BakedHull arrays_of(const ConvexHull& hull) {
+  BakedHull baked{.vertices = hull.vertices, .faces = {}, .corners = {}, .edges = edges_of(hull)};
+  for (const ConvexHull::Face& face : hull.faces) {
+    baked.faces.push_back({.normal_O = face.normal,
+                           .first = static_cast<std::uint32_t>(baked.corners.size()),
+                           .count = static_cast<std::uint32_t>(face.vertices.size())});
+    std::ranges::transform(face.vertices, std::back_inserter(baked.corners),
+                           [](std::uint32_t i) { return static_cast<std::uint8_t>(i); });
+  }
+  return baked;
+}
+
 BakedBody bake_body(const BodyDescription& description, const ShapeDescription& shape,
                     const Placement& placement, const BakedMesh& mesh,
                     std::vector<std::string>& warnings) {
   const Mat3 axes = placement.rotation.toRotationMatrix();
-  const MassProperties properties = mass_of(description, shape, mesh, axes);
+  const MassProperties properties = mass_of(description, shape, mesh, placement);
   BakedBody baked{.body = {.mass = {.mass_kg = properties.mass_kg,
                                     .center_O = properties.center_O,
                                     .inertia_C = properties.inertia_C,
                                     .linear_damping_per_s = description.linear_damping_per_s,
                                     .angular_damping_per_s = description.angular_damping_per_s},
                            .hull = {},
+                           .first_part = 0,
+                           .part_count = 0,
                            .axes_O = axes,
                            .restitution = description.restitution,
                            .rolling_friction_m = description.rolling_friction_m,
                            .spinning_friction_m = description.spinning_friction_m,
                            .velocity_W = description.velocity_W,
                            .angular_velocity_O = axes * description.angular_velocity_B},
-                  .hull = {}};
+                  .hull = {},
+                  .parts = {}};
   if (!rendering::valid(baked.body.mass)) {
     throw InputError(fmt::format(
         "a body of {:.3g} kg with such an inertia cannot be computed; is it in metres and "
@@ -129,7 +153,8 @@ BakedBody bake_body(const BodyDescription& description, const ShapeDescription& 
         properties.mass_kg));
   }
   const auto* const primitive = std::get_if<rendering::Primitive>(&shape);
-  if (primitive == nullptr || !rendering::has_hull(primitive->kind)) {
+  const bool is_own_hull = primitive != nullptr && rendering::has_hull(primitive->kind);
+  if (description.parts.empty() && !is_own_hull) {
     baked.hull = hull_of(mesh, warnings);
   }
   return baked;

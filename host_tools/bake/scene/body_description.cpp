@@ -15,6 +15,8 @@ using rendering::ContactMethod;
 constexpr std::array kBodyKeys{KeySpec{"mass_kg", "kg"},
                                KeySpec{"density_kg_per_m3", "kg_per_m3"},
                                KeySpec{"inertia_kg_m2", "kg_m2"},
+                               KeySpec{"center_of_mass_m", "m"},
+                               KeySpec{"part", ""},
                                KeySpec{"velocity_m_per_s", "m_per_s"},
                                KeySpec{"angular_velocity_rad_per_s", "rad_per_s"},
                                KeySpec{"linear_damping_per_s", "per_s"},
@@ -56,17 +58,23 @@ double read_turn_friction(const TomlSection& section, const char* key) {
 }  // namespace
 
 std::optional<BodyDescription> read_body(const TomlSection& object, std::string_view file,
-                                         ContactMethod contact, MotionDescription& motion) {
+                                         const BodyOwner& owner, MotionDescription& motion) {
   const toml::table* const table = object.table("body");
   if (table == nullptr) {
     return std::nullopt;
   }
-  require_movable(object, contact, motion);
+  require_movable(object, owner.contact, motion);
   motion.moves = true;
   const TomlSection section(*table, file, object.title() + " body", kBodyKeys);
   if (section.has("mass_kg") && section.has("density_kg_per_m3")) {
     section.fail("density_kg_per_m3",
                  "mass_kg and density_kg_per_m3 say the same; leave one of the two out");
+  }
+  if (section.has("center_of_mass_m") &&
+      !(section.has("mass_kg") && section.has("inertia_kg_m2"))) {
+    section.fail("center_of_mass_m",
+                 "the inertia is about the centre of mass; write mass_kg and inertia_kg_m2 beside "
+                 "it, or leave it out");
   }
   const Vec3 none = Vec3::Zero();
   BodyDescription body{
@@ -75,6 +83,8 @@ std::optional<BodyDescription> read_body(const TomlSection& object, std::string_
       .density_kg_per_m3 =
           section.number("density_kg_per_m3", kAboveZero).value_or(kDefaultDensity_kg_per_m3),
       .inertia_kg_m2 = section.list("inertia_kg_m2").value_or(std::vector<double>{}),
+      .center_of_mass_B = section.vector("center_of_mass_m"),
+      .parts = read_parts(section, *table, file, owner.folder, owner.placement),
       .linear_damping_per_s = section.number("linear_damping_per_s", kZeroOrMore).value_or(0.0),
       .angular_damping_per_s = section.number("angular_damping_per_s", kZeroOrMore).value_or(0.0),
       .restitution = section.number("restitution", kZeroOrMore).value_or(0.0),

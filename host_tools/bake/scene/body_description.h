@@ -1,11 +1,13 @@
 // Reads [object.body]: what makes an object a body that moves by forces.
 #pragma once
 
+#include <filesystem>
 #include <optional>
 #include <string_view>
 #include <vector>
 
 #include "host_tools/bake/scene/motion_description.h"
+#include "host_tools/bake/scene/part_description.h"
 #include "host_tools/bake/toml/toml_section.h"
 #include "rendering/objects/object.h"
 
@@ -23,6 +25,10 @@ struct BodyDescription {
   double density_kg_per_m3 = kDefaultDensity_kg_per_m3;
   // Three or nine numbers; none where the shape says it.
   std::vector<double> inertia_kg_m2;
+  // The centre of mass in the object's frame, m; nothing where the shape says it.
+  std::optional<Vec3> center_of_mass_B;
+  // The convex parts by which others are met; none where the hull of the shape is.
+  std::vector<PartDescription> parts;
   double linear_damping_per_s = 0.0;
   double angular_damping_per_s = 0.0;
   double restitution = 0.0;
@@ -34,10 +40,16 @@ struct BodyDescription {
   Vec3 angular_velocity_B = Vec3::Zero();
 };
 
+// The object to which a body belongs: the folder of its scene, its place and its contact.
+struct BodyOwner {
+  std::filesystem::path folder;
+  Placement placement;
+  rendering::ContactMethod contact = rendering::ContactMethod::sphere_proxy;
+};
+
 // Reads the table, if there is one, and makes the object move. Throws InputError with the file and
 // the line, also for an object that cannot be a body.
 std::optional<BodyDescription> read_body(const TomlSection& object, std::string_view file,
-                                         rendering::ContactMethod contact,
-                                         MotionDescription& motion);
+                                         const BodyOwner& owner, MotionDescription& motion);
 
 }  // namespace tactus::host

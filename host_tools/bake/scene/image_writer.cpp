@@ -115,18 +115,50 @@ std::optional<image::Motion> write_motion(const std::optional<rendering::Motion>
                        motion->wave_Hz, stored(motion->wave_per_m));
 }
 
+// The places of a hull's arrays in the builder.
+struct StoredHull {
+  Offset<flatbuffers::Vector<const image::Double3*>> vertices;
+  Offset<flatbuffers::Vector<const image::HullFace*>> faces;
+  Offset<flatbuffers::Vector<std::uint8_t>> corners;
+  Offset<flatbuffers::Vector<const image::HullEdge*>> edges;
+};
+
+StoredHull write_hull(FlatBufferBuilder& builder, const BakedHull& hull) {
+  StoredHull stored_hull;
+  stored_hull.vertices = write_optional<image::Double3>(builder, hull.vertices);
+  stored_hull.faces = write_optional<image::HullFace>(builder, hull.faces);
+  if (!hull.corners.empty()) {
+    stored_hull.corners = builder.CreateVector(hull.corners);
+  }
+  stored_hull.edges = write_optional<image::HullEdge>(builder, hull.edges);
+  return stored_hull;
+}
+
+// Returns the parts of a body; none for one that has none.
+Offset<flatbuffers::Vector<Offset<image::BodyPart>>> write_parts(
+    FlatBufferBuilder& builder, const std::vector<BakedPart>& parts) {
+  if (parts.empty()) {
+    return {};
+  }
+  std::vector<Offset<image::BodyPart>> stored_parts;
+  for (const BakedPart& part : parts) {
+    const Offset<image::Primitive> primitive =
+        part.primitive ? write_primitive(builder, *part.primitive) : Offset<image::Primitive>{};
+    const StoredHull hull = write_hull(builder, part.hull);
+    stored_parts.push_back(image::CreateBodyPart(builder, primitive, hull.vertices, hull.faces,
+                                                 hull.corners, hull.edges));
+  }
+  return builder.CreateVector(stored_parts);
+}
+
 // Returns the body; none for an object that is none.
 Offset<image::Body> write_body(FlatBufferBuilder& builder, const std::optional<BakedBody>& baked) {
   if (!baked) {
     return {};
   }
   const rendering::ObjectBody& body = baked->body;
-  const BakedHull& hull = baked->hull;
-  const auto vertices = write_optional<image::Double3>(builder, hull.vertices);
-  const auto faces = write_optional<image::HullFace>(builder, hull.faces);
-  const auto corners = hull.corners.empty() ? Offset<flatbuffers::Vector<std::uint8_t>>{}
-                                            : builder.CreateVector(hull.corners);
-  const auto edges = write_optional<image::HullEdge>(builder, hull.edges);
+  const StoredHull hull = write_hull(builder, baked->hull);
+  const auto parts = write_parts(builder, baked->parts);
   const Mat3& I = body.mass.inertia_C;
   const image::Inertia inertia(I(0, 0), I(1, 1), I(2, 2), I(0, 1), I(0, 2), I(1, 2));
   const image::Double3 center = stored(body.mass.center_O);
@@ -135,8 +167,9 @@ Offset<image::Body> write_body(FlatBufferBuilder& builder, const std::optional<B
   const image::Double3 angular_velocity = stored(body.angular_velocity_O);
   return image::CreateBody(builder, body.mass.mass_kg, &center, &inertia, &axes,
                            body.mass.linear_damping_per_s, body.mass.angular_damping_per_s,
-                           body.restitution, &velocity, &angular_velocity, vertices, faces, corners,
-                           edges, body.rolling_friction_m, body.spinning_friction_m);
+                           body.restitution, &velocity, &angular_velocity, hull.vertices,
+                           hull.faces, hull.corners, hull.edges, body.rolling_friction_m,
+                           body.spinning_friction_m, parts);
 }
 
 std::optional<image::Tissue> write_tissue(const std::optional<rendering::Tissue>& tissue) {

@@ -138,7 +138,9 @@ ObjectDescription read_object(const toml::table& table, std::size_t index, std::
   const bool is_meshed = meshed_formula(object.shape, object.contact) != nullptr;
   const ShapeDescription touched = is_meshed ? ShapeDescription{} : object.shape;
   object.motion = read_motion(section, file, touched, object.contact, object.placement.position_m);
-  object.body = read_body(section, file, object.contact, object.motion);
+  object.body = read_body(
+      section, file, {.folder = folder, .placement = object.placement, .contact = object.contact},
+      object.motion);
   object.tissue = read_tissue(section, file, touched, object.motion, needle);
   object.detail = read_detail(section, file, folder, touched, object.contact);
   object.flip = read_flip(section);
