@@ -52,6 +52,7 @@ strip() {  # EXAMPLE PATH...
 strip grasp thumb finger
 strip turned_ball thumb index middle
 strip stack push
+strip cup thumb finger
 
 # Friction: every figure with its command, which the README repeats.
 pictures=rendering/friction/pictures

@@ -58,7 +58,7 @@ struct ToolSlot {
   EffectTouch effects;
 };
 
-// Lives in static storage: fixed arrays of about two megabytes, no heap. Not thread-safe; one
+// Lives in static storage: fixed arrays of about three megabytes, no heap. Not thread-safe; one
 // thread owns it.
 class World {
  public:

@@ -11,6 +11,7 @@ inline constexpr std::array kExampleScenes{
     "grating", "stone",      "tiles",       "shaded_cylinder",
     "effects", "paddle",     "membrane",    "friction",
     "wall",    "gem",        "shapes",      "notch",
-    "grasp",   "stack",      "turned_ball", "epidural"};
+    "grasp",   "stack",      "turned_ball", "epidural",
+    "cup"};
 
 }  // namespace tactus::testing
