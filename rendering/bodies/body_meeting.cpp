@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "rendering/bodies/body_world.h"
+#include "rendering/bodies/buried_contact.h"
 
 namespace tactus::rendering {
 namespace {
@@ -139,7 +140,11 @@ void BodyWorld::find_contacts_with(std::uint16_t a, std::uint16_t b, double marg
     join_parts(a, b, margin_m);
   } else {
     for (const PlacedHull& part : parts_of(b)) {
-      meet_surface(a, b, part, margin_m, [&](const Manifold& manifold) { joined_.add(manifold); });
+      meet_surface(a, b, part, margin_m, [&](const Manifold& manifold) {
+        if (!is_buried(parts_of(b), part, manifold, -1.0)) {
+          joined_.add(manifold);
+        }
+      });
     }
   }
   for (const Manifold& manifold : joined_.all()) {
@@ -157,8 +162,13 @@ void BodyWorld::join_parts(std::uint16_t a, std::uint16_t b, double margin_m) {
       continue;
     }
     for (const PlacedHull& part_a : parts_of(a)) {
-      if (!are_apart(part_a, part_b, margin_m)) {
-        joined_.add(manifold_of(part_a, part_b, margin_m));
+      if (are_apart(part_a, part_b, margin_m)) {
+        continue;
+      }
+      const Manifold manifold = manifold_of(part_a, part_b, margin_m);
+      if (!is_buried(parts_of(a), part_a, manifold, 1.0) &&
+          !is_buried(parts_of(b), part_b, manifold, -1.0)) {
+        joined_.add(manifold);
       }
     }
   }

@@ -1,10 +1,9 @@
 // Bodies of several convex parts, against bodies of one and the closed forms of mechanics.
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
+#include <span>
 #include <vector>
 
 #include "rendering/state_archive.h"
@@ -77,87 +76,6 @@ TEST(CompoundBody, ABallThatHitsOneEndTurnsTheDumbbell) {
   EXPECT_NEAR(bench.body(0).angular_velocity_W().y(),
               impulse * kDumbbellArm_m / mass.inertia_C(1, 1), 1e-2);
   EXPECT_NEAR(bench.body(1).motion().velocity_W.x(), kSpeed - impulse / kBall_kg, 1e-3 * kSpeed);
-}
-
-// A box, and the same box of two halves.
-struct WholeAndHalves {
-  Vec3 half{0.02, 0.01, 0.015};
-  BodyBench whole;
-  BodyBench halves;
-
-  void add(const RigidPose& pose, const ContactSurface& surface) {
-    constexpr double kBox_kg = 0.1;
-    const Vec3 part(0.5 * half.x(), half.y(), half.z());
-    whole.add(box_part(Vec3::Zero(), half), mass_of_box(kBox_kg, half), pose, surface);
-    halves.add_compound({box_part(Vec3(-0.5 * half.x(), 0.0, 0.0), part),
-                         box_part(Vec3(0.5 * half.x(), 0.0, 0.0), part)},
-                        mass_of_box(kBox_kg, half), pose, surface);
-  }
-  void add_plane(const Vec3& normal, double friction) {
-    whole.add_plane(normal, friction);
-    halves.add_plane(normal, friction);
-  }
-  // Runs both, and returns the largest distance of the centres, m, with that of corners.
-  double run(double seconds) {
-    double most = 0.0;
-    for (int i = 0; i < static_cast<int>(std::lround(seconds / kBodyTick_s)); ++i) {
-      whole.run(kBodyTick_s);
-      halves.run(kBodyTick_s);
-      const BodyMotion& a = whole.body(0).motion();
-      const BodyMotion& b = halves.body(0).motion();
-      most = std::max(most, (a.center_W - b.center_W).norm() +
-                                half.norm() * (a.rotation_WO - b.rotation_WO).norm());
-    }
-    return most;
-  }
-};
-
-TEST(CompoundBody, TwoHalvesDropAsTheWholeBox) {
-  WholeAndHalves pair;
-  pair.add_plane(Vec3::UnitY(), 0.5);
-  pair.add({.translation = Vec3(0.0, 0.05, 0.0)}, {.friction = 0.5});
-  EXPECT_LT(pair.run(0.5), 3e-4);
-}
-
-TEST(CompoundBody, TwoHalvesSlideAsTheWholeBox) {
-  const BodySlope slope{std::atan(0.4)};
-  WholeAndHalves pair;
-  pair.add_plane(slope.normal, 0.3);
-  pair.add(slope.box_at(0.01), {.friction = 0.3});
-  EXPECT_LT(pair.run(0.5), 2e-4);
-  EXPECT_GT(pair.whole.body(0).motion().velocity_W.dot(slope.down), 0.3);
-}
-
-TEST(CompoundBody, TwoHalvesTipAsTheWholeBox) {
-  const BodySlope slope{std::atan(0.8)};
-  WholeAndHalves pair;
-  pair.half = Vec3(0.01, 0.02, 0.01);
-  pair.add_plane(slope.normal, 1.5);
-  pair.add(slope.box_at(0.02), {.friction = 1.5});
-  EXPECT_LT(pair.run(0.15), 2e-4);
-  EXPECT_LT(pair.whole.body(0).motion().rotation_WO.col(1).dot(slope.normal), 0.9);
-}
-
-// Parts that stand in one plane have the points of a whole box, four between two storeys.
-TEST(CompoundBody, ATowerOfHalvesStandsStill) {
-  constexpr std::size_t kStoreys = 8;
-  BodyBench bench;
-  bench.add_plane(Vec3::UnitY(), 0.5);
-  const Vec3 part(0.0095, 0.01, 0.02);
-  for (std::size_t i = 0; i < kStoreys; ++i) {
-    bench.add_compound(
-        {box_part(Vec3(-0.0105, 0.0, 0.0), part), box_part(Vec3(0.0105, 0.0, 0.0), part)},
-        mass_of_box(0.05, Vec3(0.02, 0.01, 0.02)),
-        {.translation = Vec3(0.0, 0.01 + 0.02 * static_cast<double>(i), 0.0)}, {.friction = 0.5});
-  }
-  bench.run(1.0);
-  const Vec3 settled = bench.body(kStoreys - 1).motion().center_W;
-  bench.run(5.0);
-  const BodyMotion& top = bench.body(kStoreys - 1).motion();
-  EXPECT_LT((top.center_W - settled).norm(), 1e-5);
-  EXPECT_LT(top.velocity_W.norm(), 1e-6);
-  EXPECT_EQ(bench.world().point_count(), 4 * kStoreys);
-  EXPECT_FALSE(bench.world().has_left_out_contacts());
 }
 
 // A column with an arm to the right: it stands while the arm's moment about the column's right edge
