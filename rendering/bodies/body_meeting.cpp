@@ -126,7 +126,7 @@ void BodyWorld::find_contacts(double tick_s) {
 // A solid of one part is met as a whole. The contacts of parts are joined first.
 void BodyWorld::find_contacts_with(std::uint16_t a, std::uint16_t b, double margin_m) {
   const bool has_hull = a < body_count_ || !obstacles_[a - body_count_].hull.vertices_O.empty();
-  if (parts_of(a).size() + parts_of(b).size() == 2) {
+  if (part_count_ == 0 || parts_of(a).size() + parts_of(b).size() == 2) {
     if (has_hull) {
       add_contact(a, b, manifold_of(hulls_[a], hulls_[b], margin_m));
     } else {
