@@ -20,7 +20,7 @@ class JoinedManifolds {
     count_ = 0;
     left_out_ = false;
   }
-  // Adds a manifold without or with points, unless its points are there.
+  // Adds a manifold. Points that are there already are not added again.
   void add(const Manifold& manifold);
 
   // Returns the manifolds, in the order in which their normals were found. Each has the normal of

@@ -24,7 +24,8 @@ MassProperties moved_by(const MassProperties& properties, const rendering::Rigid
           .inertia_C = pose.rotation * properties.inertia_C * pose.rotation.transpose()};
 }
 
-// Returns the mass properties of the mesh. A body of parts is told that it may have others.
+// Returns the mass properties of the mesh. For a body of parts the error names the keys that stand
+// in for a closed mesh.
 MassProperties mass_of_mesh(const BodyDescription& description, const BakedMesh& mesh) {
   try {
     return mesh_mass_properties(std::span<const rendering::Float3>(mesh.vertices), mesh.triangles,

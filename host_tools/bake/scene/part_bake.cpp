@@ -52,7 +52,7 @@ void check_parts(const SceneDescription& description) {
 
 std::vector<BakedPart> bake_parts(const ObjectDescription& object, const std::string& scene,
                                   std::vector<std::string>& warnings) {
-  // A hull that leaves out less of its mesh is told as if it were whole, m.
+  // A hull that leaves out less of its mesh has no warning, m.
   constexpr double kToldOfPart_m = 1e-5;
   std::vector<BakedPart> parts;
   for (const PartDescription& part : object.body->parts) {
