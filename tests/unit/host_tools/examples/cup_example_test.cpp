@@ -29,7 +29,8 @@ class CupExampleTest : public FolderTest {
   const std::string cup_ = testing::in_repository("host_tools/examples/cup");
 };
 
-// The ball is the first body and the cup the second. The cup is tilted by 30 degrees on the way.
+// The ball is the first body and the cup the second. The cup is tilted by 30 degrees while it is
+// carried.
 TEST_F(CupExampleTest, TheBallStaysInTheCupThatIsCarriedTiltedAndSetDown) {
   constexpr double kInnerRadius_m = 0.026;
   constexpr double kBall_m = 0.019;
