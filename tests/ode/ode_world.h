@@ -44,7 +44,7 @@ class OdeWorld {
   void set_gravity(const Vec3& gravity_W);
   // Adds the half space below a plane through the origin.
   void add_plane(const Vec3& normal_W);
-  void add_body(const OdeBody& body);
+  void add_body(const OdeBody& start);
   // Sets the surfaces of the contacts with planes, and of those of two bodies.
   void set_surfaces(const OdeSurface& with_planes, const OdeSurface& of_bodies);
 

@@ -46,7 +46,7 @@ MassProperties mass_of_mesh(const BodyDescription& description, const BakedMesh&
 MassProperties mass_of(const BodyDescription& description, const ShapeDescription& shape,
                        const BakedMesh& mesh, const Placement& placement) {
   const Mat3 axes = placement.rotation.toRotationMatrix();
-  if (description.center_of_mass_B) {
+  if (description.center_of_mass_B && description.mass_kg) {
     return {.mass_kg = *description.mass_kg,
             .center_O = placement.position_m + axes * *description.center_of_mass_B,
             .inertia_C = axes * inertia_of_numbers(description.inertia_kg_m2) * axes.transpose()};

@@ -55,6 +55,9 @@ std::vector<BakedPart> bake_parts(const ObjectDescription& object, const std::st
   // A hull that leaves out less of its mesh has no warning, m.
   constexpr double kToldOfPart_m = 1e-5;
   std::vector<BakedPart> parts;
+  if (!object.body) {
+    return parts;
+  }
   for (const PartDescription& part : object.body->parts) {
     if (part.primitive) {
       parts.push_back({.primitive = part.primitive, .hull = {}});

@@ -43,8 +43,10 @@ struct HandMotion {
 class RandomGrasping {
  public:
   explicit RandomGrasping(std::mt19937_64& random)
-      : random_(&random), half_m_(between(0.005, 0.03)), press_m_(between(0.0, 0.004)) {
-    radius_m_ = unit() > 0.0 ? 0.0 : between(0.001, 0.01);
+      : random_(&random),
+        half_m_(between(0.005, 0.03)),
+        press_m_(between(0.0, 0.004)),
+        radius_m_(unit() > 0.0 ? 0.0 : between(0.001, 0.01)) {
     const double mass_kg = between(0.01, 0.5);
     body_.mass = {.mass_kg = mass_kg,
                   .inertia_C = 2.0 / 3.0 * mass_kg * half_m_ * half_m_ * Mat3::Identity()};
@@ -144,7 +146,7 @@ class RandomGrasping {
   std::mt19937_64* random_;
   double half_m_;
   double press_m_;
-  double radius_m_ = 0.0;
+  double radius_m_;
   ObjectBody body_;
   Object cube_;
   // The hands move together, and each a little by itself.
