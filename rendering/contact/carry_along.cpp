@@ -251,7 +251,7 @@ Vec3 carried_position(const SceneObjects& scene, const Vec3& p_W, const LastCont
   const Vec3 p_O = mover->X_WO_before.point_in(p_W);
   const auto [before_O, now_O] = touched_point(scene, *mover, last_contact.triangle, p_O);
   const Vec3 above_O = p_O - before_O;
-  const Vec3 touched_W = mover->X_WO.point(now_O);
+  Vec3 touched_W = mover->X_WO.point(now_O);
   const double height_m = above_O.norm();
   if (height_m == 0.0) {
     return touched_W;
