@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <vector>
@@ -43,6 +44,38 @@ TEST_F(JointFrictionTest, OfSurfacesOfOneMaterialIsThatOfOne) {
   JointFriction several;
   for (int tick = 0; tick < 100; ++tick) {
     EXPECT_NEAR(step(several, {1, 2, 3}), step(one, {7}), 1e-12) << tick;
+  }
+}
+
+// A tool that stands still while its contact turns to another plane does no work, so that the
+// springs of the depth and of the bristle together store no more than before.
+TEST_F(JointFrictionTest, ATurnOfThePlaneAddsNoEnergy) {
+  constexpr double kDepth_m = 2e-3;
+  const auto twice_energy_J = [&](double depth_m, const Vec3& lag_m) {
+    const double force_N = kSpring_N_per_m * lag_m.norm();
+    return kSpring_N_per_m * depth_m * depth_m + force_N * force_N / dahl_.stiffness_N_per_m;
+  };
+  for (const double deeper_m : {-1e-4, 0.0, 1e-5, 2e-5, 1e-3}) {
+    JointFriction joint;
+    std::array<JointSurface, 1> surfaces{
+        {{.number = 1,
+          .sliding = {.friction = dahl_, .stiffness_N_per_m = kSpring_N_per_m, .depth_m = kDepth_m},
+          .normal_force_N = kNormal_N}}};
+    Vec3 before_m = Vec3::Zero();
+    for (int tick = 0; tick < 30; ++tick) {
+      joint.begin_tick({kStep_m, 0.0, 0.0}, kTick_s);
+      before_m = joint.lag(surfaces, Vec3::UnitY()).lag_m;
+    }
+    surfaces[0].sliding.depth_m += deeper_m;
+    joint.begin_tick(Vec3::Zero(), kTick_s);
+    const Vec3 after_m = joint.lag(surfaces, Vec3::UnitX()).lag_m;
+    const double before_J = twice_energy_J(kDepth_m, before_m);
+    EXPECT_GT(before_m.norm(), 0.0);
+    if (deeper_m <= 0.0) {
+      EXPECT_NEAR(after_m.norm(), before_m.norm(), 1e-15) << deeper_m;
+    } else if (after_m != Vec3::Zero()) {
+      EXPECT_NEAR(twice_energy_J(kDepth_m + deeper_m, after_m), before_J, 1e-15) << deeper_m;
+    }
   }
 }
 
