@@ -92,10 +92,13 @@ void BodyWorld::place_body(std::size_t body) {
   hulls_[body].enclose(placed);
 }
 
+bool BodyWorld::has_hull(std::uint16_t solid) const {
+  return solid < body_count_ || !obstacles_[solid - body_count_].hull.vertices_O.empty();
+}
+
 double BodyWorld::margin_of(std::uint16_t a, std::uint16_t b, double tick_s,
                             const Margins& margins) const {
-  const bool has_hull = a < body_count_ || !obstacles_[a - body_count_].hull.vertices_O.empty();
-  const double speed = has_hull ? 0.0 : fastest_at(solids_[a], hulls_[b]);
+  const double speed = has_hull(a) ? 0.0 : fastest_at(solids_[a], hulls_[b]);
   return kMargin_m + margins[a] + margins[b] + tick_s * speed;
 }
 
@@ -125,9 +128,8 @@ void BodyWorld::find_contacts(double tick_s) {
 
 // A solid of one part is met as a whole. The contacts of parts are joined first.
 void BodyWorld::find_contacts_with(std::uint16_t a, std::uint16_t b, double margin_m) {
-  const bool has_hull = a < body_count_ || !obstacles_[a - body_count_].hull.vertices_O.empty();
   if (part_count_ == 0 || parts_of(a).size() + parts_of(b).size() == 2) {
-    if (has_hull) {
+    if (has_hull(a)) {
       add_contact(a, b, manifold_of(hulls_[a], hulls_[b], margin_m));
     } else {
       meet_surface(a, b, hulls_[b], margin_m,
@@ -136,7 +138,7 @@ void BodyWorld::find_contacts_with(std::uint16_t a, std::uint16_t b, double marg
     return;
   }
   joined_.clear();
-  if (has_hull) {
+  if (has_hull(a)) {
     join_parts(a, b, margin_m);
   } else {
     for (const PlacedHull& part : parts_of(b)) {

@@ -146,6 +146,8 @@ class BodyWorld {
     return parts == 0 ? std::span(hulls_).subspan(solid, 1)
                       : std::span(part_hulls_).subspan(first_part_[solid], parts);
   }
+  // Returns true for a body, and for an obstacle that is met by a hull.
+  [[nodiscard]] bool has_hull(std::uint16_t solid) const;
   // Returns the margin within which two solids may meet in this tick, m.
   [[nodiscard]] double margin_of(std::uint16_t a, std::uint16_t b, double tick_s,
                                  const Margins& margins) const;

@@ -21,12 +21,6 @@ inline Vec3 turned(const Vec3& tangent, const Vec3& from, const Vec3& to) {
   return there - to.dot(there) * to;
 }
 
-// Turns the memory with the contact plane. The elastic force keeps its size, and so the bristle its
-// energy.
-inline void turn(FrictionMemory<Vec3>& memory, const Vec3& from, const Vec3& to) {
-  memory.elastic_force_N = turned(memory.elastic_force_N, from, to);
-}
-
 // Changes the stiffness of a contact that goes on (0: rigid). The force stays if that adds no
 // energy; otherwise it is lowered to keep the energy.
 template <typename Vector>

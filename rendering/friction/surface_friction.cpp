@@ -63,9 +63,7 @@ FrictionLag SurfaceFriction::lag(const SlidingSurface& surface, const Vec3& norm
     ran_ = true;
   }
   if (normal != normal_) {
-    turn_to(normal, share_kept({.bristle_m2 = twice_stored_J() / surface.stiffness_N_per_m,
-                                .before_m = depth_m_,
-                                .now_m = surface.depth_m}));
+    turn_plane(surface, normal, depth_m_);
   }
   depth_m_ = surface.depth_m;
   Vec3 force_N = force_N_;
@@ -87,6 +85,13 @@ void SurfaceFriction::turn_to(const Vec3& normal, double share) {
   normal_ = normal;
 }
 
+void SurfaceFriction::turn_plane(const SlidingSurface& surface, const Vec3& normal,
+                                 double before_m) {
+  turn_to(normal, share_kept({.bristle_m2 = twice_stored_J() / surface.stiffness_N_per_m,
+                              .before_m = before_m,
+                              .now_m = surface.depth_m}));
+}
+
 void SurfaceFriction::run(const SlidingSurface& surface, const Vec3& normal,
                           double normal_force_N) {
   FrictionParameters friction = surface.friction;
@@ -96,9 +101,7 @@ void SurfaceFriction::run(const SlidingSurface& surface, const Vec3& normal,
                                      : Vec3{crease.dot(tool_step_) * crease};
   if (is_held_) {
     if (normal != normal_) {
-      turn_to(normal, share_kept({.bristle_m2 = twice_stored_J() / surface.stiffness_N_per_m,
-                                  .before_m = moved_depth_m(depth_m_, normal_, crease, tool_step_),
-                                  .now_m = surface.depth_m}));
+      turn_plane(surface, normal, moved_depth_m(depth_m_, normal_, crease, tool_step_));
     }
     change_stiffness(memory_, stiffness_N_per_m_, friction.stiffness_N_per_m);
   } else {

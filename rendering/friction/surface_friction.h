@@ -17,7 +17,7 @@
 // Contact that is made starts without force, and what is left of a force when the normal force
 // falls is cut with it (friction_model.h): neither can kick. Where the contact plane turns, the
 // force turns with it, and is lessened where the tool is deeper below the new plane (share_kept()).
-// Where the object turns, plane and force turn with the object.
+// Plane and force turn with an object that turns.
 #pragma once
 
 #include <algorithm>
@@ -136,6 +136,8 @@ class SurfaceFriction {
   void transfer(StateArchive& archive);
 
  private:
+  // Turns the bristle to a new plane of the surface; `before_m` is the depth below the old one.
+  void turn_plane(const SlidingSurface& surface, const Vec3& normal, double before_m);
   void run(const SlidingSurface& surface, const Vec3& normal, double normal_force_N);
 
   FrictionMemory<Vec3> memory_;

@@ -121,10 +121,8 @@ bool WorldBodies::add_body(const ObjectBody& body, const ConvexHull& hull,
 }
 
 void WorldBodies::wake(std::uint32_t object) {
-  const auto numbers = std::span(body_objects_).first(bodies_.bodies().size());
-  const auto found = std::ranges::find(numbers, object);
-  if (found != numbers.end()) {
-    bodies_.wake(static_cast<std::size_t>(found - numbers.begin()));
+  if (const std::size_t number = number_of(object); number < bodies_.bodies().size()) {
+    bodies_.wake(number);
   }
 }
 

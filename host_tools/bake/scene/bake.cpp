@@ -150,7 +150,7 @@ void add_body(const ObjectDescription& object, const std::string& scene, BakedOb
     throw InputError(
         fmt::format("{}:{}: {}: {}", scene, object.body->line, object.name, error.what()));
   }
-  baked.body->parts = bake_parts(object, scene, notes);
+  baked.body->parts = bake_parts(object.body->parts, object.name, scene, notes);
   for (const std::string& note : notes) {
     report.warnings.push_back(fmt::format("{}: {}", object.name, note));
   }

@@ -50,21 +50,19 @@ void check_parts(const SceneDescription& description) {
   }
 }
 
-std::vector<BakedPart> bake_parts(const ObjectDescription& object, const std::string& scene,
+std::vector<BakedPart> bake_parts(std::span<const PartDescription> descriptions,
+                                  const std::string& object, const std::string& scene,
                                   std::vector<std::string>& warnings) {
   // A hull that leaves out less of its mesh has no warning, m.
   constexpr double kToldOfPart_m = 1e-5;
   std::vector<BakedPart> parts;
-  if (!object.body) {
-    return parts;
-  }
-  for (const PartDescription& part : object.body->parts) {
+  for (const PartDescription& part : descriptions) {
     if (part.primitive) {
       parts.push_back({.primitive = part.primitive, .hull = {}});
       continue;
     }
     const std::string place =
-        fmt::format("{}:{}: {} part {}", scene, part.line, object.name, parts.size() + 1);
+        fmt::format("{}:{}: {} part {}", scene, part.line, object, parts.size() + 1);
     const ConvexHull hull = hull_of_part(part, place);
     if (hull.left_out_m > kToldOfPart_m) {
       warnings.push_back(fmt::format("part {} is a hull of {} vertices, which leaves out {:.2g} mm",

@@ -1,6 +1,7 @@
 // Makes the convex parts of bodies.
 #pragma once
 
+#include <span>
 #include <string>
 #include <vector>
 
@@ -13,10 +14,11 @@ namespace tactus::host {
 // file is missing.
 void check_parts(const SceneDescription& description);
 
-// Returns the parts of an object's body; none if it has none. Adds to `warnings` where a hull
-// leaves out vertices of its mesh. Throws InputError with the file, also for a part without volume;
+// Returns the parts of the body of an object with this name. Adds to `warnings` where a hull leaves
+// out vertices of its mesh. Throws InputError with the file, also for a part without volume;
 // `scene` is the scene's.
-std::vector<BakedPart> bake_parts(const ObjectDescription& object, const std::string& scene,
+std::vector<BakedPart> bake_parts(std::span<const PartDescription> descriptions,
+                                  const std::string& object, const std::string& scene,
                                   std::vector<std::string>& warnings);
 
 }  // namespace tactus::host

@@ -14,7 +14,6 @@ namespace {
 
 using rendering::change_stiffness;
 using rendering::FrictionMemory;
-using rendering::turn;
 using rendering::turned;
 using rendering::update_friction;
 
@@ -84,7 +83,7 @@ TEST(Carry, SlidingRoundCornersNeitherJumpsNorGivesOutEnergy) {
         last_N = result.force_N.norm();
       }
       const Vec3 next{std::cos(angle + 0.5 * M_PI), std::sin(angle + 0.5 * M_PI), 0.0};
-      turn(memory, normal, next);
+      memory.elastic_force_N = turned(memory.elastic_force_N, normal, next);
       const Vec3 motion = 1e-4 * normal * -1.0;
       const auto after = update_friction(friction.parameters, memory, motion, 1.0, 1e-3);
       work_J += after.mean_force_N.dot(motion);

@@ -6,12 +6,8 @@
 #include <span>
 #include <string>
 
-#include "host_tools/bake/scene/bake.h"
-#include "host_tools/bake/scene/mapped_scene.h"
-#include "host_tools/bake/scene/scene_description.h"
-#include "rendering/scene/scene_world.h"
 #include "rendering/world/world.h"
-#include "tests/unit/host_tools/bake/temporary_folder.h"
+#include "tests/unit/host_tools/bake/scene/baked_body_scene.h"
 
 namespace tactus::testing {
 namespace {
@@ -33,33 +29,9 @@ constexpr const char* kOpenWedge =
     "OFF\n6 6 0\n0 0 0\n0.04 0 0\n0.04 0 0.04\n0 0 0.04\n0 0.03 0\n0 0.03 0.04\n"
     "3 0 4 1\n3 3 2 5\n3 0 3 5\n3 0 5 4\n3 1 4 5\n3 1 5 2\n";
 
-std::string parts_refused(const std::string& text) {
-  return input_error([&] { host::parse_scene_description(text, "folder/scene.toml"); });
-}
-
-// A scene that is baked into a folder of its own.
-class BodyPartsScene : public ::testing::Test {
+class BodyPartsScene : public BakedBodyScene {
  protected:
-  host::BakeReport bake(const std::string& text) {
-    static_cast<void>(folder_.write("scene.toml", text));
-    host::BakeReport report =
-        host::bake_file(folder_.path() / "scene.toml", folder_.path() / "scene.tactus", {});
-    scene_ = std::make_unique<host::MappedScene>(folder_.path() / "scene.tactus");
-    return report;
-  }
   [[nodiscard]] std::span<const BodyPart> parts() const { return scene_->image().body_parts(); }
-  // Runs the world for so many milliseconds with the tool far away.
-  std::unique_ptr<World> run(int ticks) {
-    auto world = std::make_unique<World>();
-    EXPECT_TRUE(world->set_scene(scene_->image().objects(), rendering::world_of(scene_->image())));
-    for (int i = 0; i < ticks; ++i) {
-      world->touch({.p_W = Vec3(1.0, 1.0, 1.0)});
-    }
-    return world;
-  }
-
-  TemporaryFolder folder_;
-  std::unique_ptr<host::MappedScene> scene_;
 };
 
 TEST_F(BodyPartsScene, PlacesThePartsInTheFrameOfTheObject) {
@@ -137,7 +109,7 @@ TEST_F(BodyPartsScene, AsksForTheMassOfAMeshThatIsOpen) {
   EXPECT_EQ(mass.mass_kg, 0.1);
   EXPECT_LT((mass.center_O - Vec3(0.01, 0.52, 0.0)).norm(), 1e-12);
   EXPECT_NEAR(mass.inertia_C(1, 1), 1e-5, 1e-15);
-  EXPECT_TRUE(contains(parts_refused(kDumbbellBody + "center_of_mass_m = [0.0, 0.0, 0.0]\n"),
+  EXPECT_TRUE(contains(body_refused(kDumbbellBody + "center_of_mass_m = [0.0, 0.0, 0.0]\n"),
                        "scene.toml:8: object 1 body: the inertia is about the centre of mass"));
 }
 
@@ -150,7 +122,7 @@ TEST_F(BodyPartsScene, RefusesMorePartsThanFit) {
     return text;
   };
   bake(kDumbbellBody + balls(16));
-  EXPECT_TRUE(contains(parts_refused(kDumbbellBody + balls(17)),
+  EXPECT_TRUE(contains(body_refused(kDumbbellBody + balls(17)),
                        "object 1 body: 17 parts, where 16 fit a body"));
   std::string many;
   for (int i = 0; i < 9; ++i) {
@@ -163,7 +135,7 @@ TEST_F(BodyPartsScene, RefusesMorePartsThanFit) {
 
 TEST_F(BodyPartsScene, RefusesWhatIsNoPart) {
   const auto refusal = [](const std::string& part) {
-    return parts_refused(kDumbbellBody + "[[object.body.part]]\n" + part);
+    return body_refused(kDumbbellBody + "[[object.body.part]]\n" + part);
   };
   EXPECT_TRUE(contains(refusal("primitive = \"torus\"\nring_radius_m = 0.03\n"
                                "tube_radius_m = 0.005\n"),
@@ -181,7 +153,7 @@ TEST_F(BodyPartsScene, RefusesWhatIsNoPart) {
       contains(refusal("primitive = \"sphere\"\nradius_m = 0.01\nmass_kg = 1.0\n"), "mass_kg"));
   EXPECT_TRUE(contains(refusal("primitive = \"sphere\"\nradius_m = 0.01\nscale = 2.0\n"),
                        "scale is for the mesh of a part"));
-  EXPECT_TRUE(contains(parts_refused(kDumbbellBody + "[object.body.part]\nprimitive = \"box\"\n"),
+  EXPECT_TRUE(contains(body_refused(kDumbbellBody + "[object.body.part]\nprimitive = \"box\"\n"),
                        "write [[object.body.part]], with two brackets"));
 }
 

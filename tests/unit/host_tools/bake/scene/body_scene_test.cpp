@@ -5,12 +5,8 @@
 #include <memory>
 #include <string>
 
-#include "host_tools/bake/scene/bake.h"
-#include "host_tools/bake/scene/mapped_scene.h"
-#include "host_tools/bake/scene/scene_description.h"
-#include "rendering/scene/scene_world.h"
 #include "rendering/world/world.h"
-#include "tests/unit/host_tools/bake/temporary_folder.h"
+#include "tests/unit/host_tools/bake/scene/baked_body_scene.h"
 
 namespace tactus::testing {
 namespace {
@@ -21,33 +17,9 @@ using rendering::World;
 const std::string kCube =
     "[[object]]\nname = \"cube\"\nprimitive = \"box\"\nsize_m = [0.04, 0.04, 0.04]\n";
 
-std::string refusal_of(const std::string& text) {
-  return input_error([&] { host::parse_scene_description(text, "folder/scene.toml"); });
-}
-
-// A scene that is baked into a folder of its own.
-class BodyScene : public ::testing::Test {
+class BodyScene : public BakedBodyScene {
  protected:
-  host::BakeReport bake(const std::string& text) {
-    static_cast<void>(folder_.write("scene.toml", text));
-    host::BakeReport report =
-        host::bake_file(folder_.path() / "scene.toml", folder_.path() / "scene.tactus", {});
-    scene_ = std::make_unique<host::MappedScene>(folder_.path() / "scene.tactus");
-    return report;
-  }
   [[nodiscard]] const ObjectBody& body() const { return scene_->image().bodies()[0]; }
-  // Runs the world for so many milliseconds with the tool far away.
-  std::unique_ptr<World> run(int ticks) {
-    auto world = std::make_unique<World>();
-    EXPECT_TRUE(world->set_scene(scene_->image().objects(), rendering::world_of(scene_->image())));
-    for (int i = 0; i < ticks; ++i) {
-      world->touch({.p_W = Vec3(1.0, 1.0, 1.0)});
-    }
-    return world;
-  }
-
-  TemporaryFolder folder_;
-  std::unique_ptr<host::MappedScene> scene_;
 };
 
 TEST_F(BodyScene, HasTheMassOfItsDensityOrTheOneThatIsGiven) {
@@ -162,7 +134,7 @@ TEST_F(BodyScene, SaysHowSoftTheFingersAre) {
   EXPECT_EQ(rendering::world_of(scene_->image()).soft_finger_modulus_Pa, 5e4);
   static_cast<void>(run(1));
   const auto refusal = [](const std::string& keys) {
-    return refusal_of("[tool]\n" + keys + kCube + "[object.body]\n");
+    return body_refused("[tool]\n" + keys + kCube + "[object.body]\n");
   };
   EXPECT_TRUE(contains(refusal("radius_m = 0.0\nsoft_finger_modulus_Pa = 5e4\n"),
                        "scene.toml:3: [tool]: a tool of radius 0 touches in a point"));
@@ -185,9 +157,9 @@ TEST_F(BodyScene, RollsToAStopWhereItResistsRolling) {
       0.1 * 0.1 / (2.0 * 5.0 / 7.0 * rendering::kStandardGravity_m_per_s2 * 1e-3 / 0.02);
   const auto world = run(600);
   EXPECT_NEAR(world->body(1)->motion().center_W.x(), stop_m, 0.01 * stop_m);
-  EXPECT_TRUE(
-      contains(refusal_of(kCube + "[object.body]\nrolling_friction_m = 2.0\n"), "scene.toml:6: "));
-  EXPECT_TRUE(contains(refusal_of(kCube + "[object.body]\nspinning_friction_mm = 2.0\n"),
+  EXPECT_TRUE(contains(body_refused(kCube + "[object.body]\nrolling_friction_m = 2.0\n"),
+                       "scene.toml:6: "));
+  EXPECT_TRUE(contains(body_refused(kCube + "[object.body]\nspinning_friction_mm = 2.0\n"),
                        "write spinning_friction_m = 0.002"));
 }
 
@@ -198,24 +170,25 @@ TEST_F(BodyScene, FallsAsleepWhereTheWorldSaysSo) {
   bake("[world]\nsleep_after_s = 0.3\n" + table + kCube +
        "position_m = [0.0, 0.02, 0.0]\n[object.body]\n");
   EXPECT_TRUE(run(800)->bodies().is_asleep(0));
-  EXPECT_TRUE(contains(refusal_of("[world]\nsleep_after_s = 0.001\n" + kCube),
+  EXPECT_TRUE(contains(body_refused("[world]\nsleep_after_s = 0.001\n" + kCube),
                        "scene.toml:2: [world]: bodies fall asleep after 0.001 s"));
-  EXPECT_TRUE(
-      contains(refusal_of("[world]\nsleep_after_ms = 300\n" + kCube), "write sleep_after_s = 0.3"));
+  EXPECT_TRUE(contains(body_refused("[world]\nsleep_after_ms = 300\n" + kCube),
+                       "write sleep_after_s = 0.3"));
 }
 
 TEST_F(BodyScene, RefusesWhatCannotBeABody) {
-  EXPECT_TRUE(
-      contains(refusal_of(kCube + "motion = { spin_rad_per_s = [0.0, 1.0, 0.0] }\n[object.body]\n"),
-               "a body moves by forces"));
-  EXPECT_TRUE(contains(refusal_of(kCube + "moves = false\n[object.body]\n"), "moves is false"));
-  EXPECT_TRUE(contains(refusal_of(kCube + "contact = \"potential_field\"\n[object.body]\n"),
+  EXPECT_TRUE(contains(
+      body_refused(kCube + "motion = { spin_rad_per_s = [0.0, 1.0, 0.0] }\n[object.body]\n"),
+      "a body moves by forces"));
+  EXPECT_TRUE(contains(body_refused(kCube + "moves = false\n[object.body]\n"), "moves is false"));
+  EXPECT_TRUE(contains(body_refused(kCube + "contact = \"potential_field\"\n[object.body]\n"),
                        "a body is touched by"));
   EXPECT_TRUE(
-      contains(refusal_of(kCube + "[object.body]\nmass_kg = 1.0\ndensity_kg_per_m3 = 1.0\n"),
+      contains(body_refused(kCube + "[object.body]\nmass_kg = 1.0\ndensity_kg_per_m3 = 1.0\n"),
                "say the same"));
-  EXPECT_TRUE(contains(refusal_of(kCube + "[object.body]\nrestitution = 1.5\n"), "1 is the most"));
-  EXPECT_TRUE(contains(refusal_of(kCube + "[object.body]\nmass = 1.0\n"), "mass_kg"));
+  EXPECT_TRUE(
+      contains(body_refused(kCube + "[object.body]\nrestitution = 1.5\n"), "1 is the most"));
+  EXPECT_TRUE(contains(body_refused(kCube + "[object.body]\nmass = 1.0\n"), "mass_kg"));
   const std::string flat =
       kCube + "[object.body]\nmass_kg = 0.1\ninertia_kg_m2 = [1e-4, 1e-4, 3e-4]\n";
   EXPECT_TRUE(contains(input_error([&] { bake(flat); }), "scene.toml:5: cube: "));
