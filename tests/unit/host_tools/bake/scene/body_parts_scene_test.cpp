@@ -14,7 +14,6 @@ namespace {
 
 using rendering::BodyPart;
 using rendering::PrimitiveKind;
-using rendering::World;
 
 const std::string kDumbbell =
     "[[object]]\nname = \"dumbbell\"\nprimitive = \"capsule\"\nradius_m = 0.005\n"

@@ -12,7 +12,6 @@ namespace tactus::testing {
 namespace {
 
 using rendering::ObjectBody;
-using rendering::World;
 
 const std::string kCube =
     "[[object]]\nname = \"cube\"\nprimitive = \"box\"\nsize_m = [0.04, 0.04, 0.04]\n";
