@@ -211,7 +211,7 @@ TEST_P(FrictionEnergy, OfABentSurfaceIsNeverGivenOut) {
     for (const Vec3& step : steps) {
       const double bend = dice.one_in(10) ? 10.0 : dice.decades(-6.0, -1.0);
       const Vec3 next = (normal + bend * dice.direction()).normalized();
-      turn(memory, normal, next);
+      memory.elastic_force_N = rendering::turned(memory.elastic_force_N, normal, next);
       normal = next;
       // A step nearly along the normal leaves little, much of it rounding: so it is projected
       // twice.
