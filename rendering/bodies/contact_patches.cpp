@@ -9,7 +9,7 @@ namespace tactus::rendering {
 namespace {
 
 // Normals that agree.
-constexpr double kAgree = 0.9995;
+constexpr double kOneNormal = 0.9995;
 // Points nearer than this are one, m.
 constexpr double kSame_m = 1e-9;
 // A point with another normal counts as deeper by this, m, times one minus the cosine between: it
@@ -22,7 +22,7 @@ void ContactPatches::add(const Vec3& normal, const ManifoldPoint& point) {
   const auto points = std::span(points_).first(count_);
   const bool is_there = std::ranges::any_of(points, [&](const Point& p) {
     return (p.point.point_W - point.point_W).squaredNorm() < kSame_m * kSame_m &&
-           p.normal.dot(normal) > kAgree;
+           p.normal.dot(normal) > kOneNormal;
   });
   if (is_there) {
     return;
@@ -54,7 +54,7 @@ std::span<const Manifold> ContactPatches::reduce() {
     const Vec3 normal = first->normal;
     PointChoice choice(normal);
     for (Point& p : std::span(points_).first(count_)) {
-      if (!p.is_used && p.normal.dot(normal) > kAgree) {
+      if (!p.is_used && p.normal.dot(normal) > kOneNormal) {
         choice.add(p.point);
         p.is_used = true;
       }

@@ -9,7 +9,7 @@ namespace tactus::rendering {
 namespace {
 
 // A surface that bends by less than this, rad, is flat.
-constexpr double kFlat = 1e-4;
+constexpr double kLeastBend = 1e-4;
 // The slack of the Voronoi regions, rad.
 constexpr double kSlack = 0.01;
 // A point this far outside of a triangle is still over it, m: the edges belong to both sides.
@@ -138,7 +138,7 @@ bool MeshContact::is_ridge(const NearTriangle& triangle, std::size_t k) const {
                                  triangle.numbers[(k + 1) % 3]) -
                    from;
   const double below = -way.dot(triangle.normal_O);
-  return below > 0.0 && below * below > kFlat * kFlat * way.squaredNorm();
+  return below > 0.0 && below * below > kLeastBend * kLeastBend * way.squaredNorm();
 }
 
 void MeshContact::add_edge(const NearTriangle& triangle, std::size_t k, Sides sides,

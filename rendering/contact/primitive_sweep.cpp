@@ -23,7 +23,7 @@ namespace {
 // A descent below a nanometre a metre is the rounding of a move along a contact plane.
 constexpr double kParallel = -1e-9;
 // Newton's method and the chord take a handful; a grazing pass round a torus takes the most.
-constexpr int kMostSteps = 128;
+constexpr int kMostSweepSteps = 128;
 
 // f and its derivative at one travel.
 struct Clearance {
@@ -67,7 +67,7 @@ double outside_convex(const Line& line, const Clearance& start, double limit,
                       const ContactMargin& margin) {
   double travel = 0.0;
   Clearance now = start;
-  for (int step = 0; step < kMostSteps; ++step) {
+  for (int step = 0; step < kMostSweepSteps; ++step) {
     if (now.slope >= kParallel) {
       return limit;
     }
@@ -89,7 +89,7 @@ double outside_convex(const Line& line, const Clearance& start, double limit,
 double climb(const Line& line, Clearance low, double limit, Clearance high, double enough) {
   double from = 0.0;
   double to = limit;
-  for (int step = 0; step < kMostSteps && low.slope > high.slope; ++step) {
+  for (int step = 0; step < kMostSweepSteps && low.slope > high.slope; ++step) {
     // f lies above both tangents, and so above the point where they meet.
     const double meet = ((high.height - high.slope * to) - (low.height - low.slope * from)) /
                         (low.slope - high.slope);
@@ -129,7 +129,7 @@ double inside_convex(const Line& line, const Clearance& start, double limit,
     free_height = line.at(free).height;
   }
   double beyond = limit;
-  for (int step = 0; step < kMostSteps && free_height > margin.stop_m; ++step) {
+  for (int step = 0; step < kMostSweepSteps && free_height > margin.stop_m; ++step) {
     const double above = free_height - margin.inner_m;
     free += (beyond - free) * above / (above + (margin.inner_m - end.height));
     free_height = line.at(free).height;
@@ -174,7 +174,7 @@ double round_torus(const Line& line, const Clearance& start, bool leaving, doubl
   double travel = 0.0;
   Clearance now = start;
   bool clear = !leaving && now.height > margin.inner_m;
-  for (int step = 0; step < kMostSteps; ++step) {
+  for (int step = 0; step < kMostSweepSteps; ++step) {
     const bool stops = clear ? now.height <= margin.stop_m : !leaving;
     if (stops && now.slope < kParallel) {
       return travel;
@@ -204,7 +204,7 @@ double inside_tube(const Line& line, const Clearance& start, double limit,
   double travel = 0.0;
   Clearance now = start;
   bool clear = now.height > margin.inner_m;
-  for (int step = 0; step < kMostSteps; ++step) {
+  for (int step = 0; step < kMostSweepSteps; ++step) {
     if ((!clear || now.height <= margin.stop_m) && now.slope < kParallel) {
       return travel;
     }

@@ -76,8 +76,8 @@ class CrossingVisitor {
 // Returns the share of the way between one outside and one inside at which it crosses.
 double halved(const Primitive& primitive, const Vec3& from, const Vec3& way, double outside,
               double inside) {
-  constexpr int kHalvings = 40;
-  for (int i = 0; i < kHalvings; ++i) {
+  constexpr int kCrossingHalvings = 40;
+  for (int i = 0; i < kCrossingHalvings; ++i) {
     const double middle = 0.5 * (outside + inside);
     (sample(primitive, from + middle * way).distance_m < 0.0 ? inside : outside) = middle;
   }
@@ -89,7 +89,7 @@ double halved(const Primitive& primitive, const Vec3& from, const Vec3& way, dou
 // last two distances fall to 0 on a line. About a torus, which a way may graze and then enter, a
 // step is no shorter than a micrometre: a way that is within the tube for less may be missed.
 double first_hit(const Primitive& primitive, const Vec3& from, const Vec3& to) {
-  constexpr int kMostSteps = 40;
+  constexpr int kMostCrossingSteps = 40;
   constexpr int kMostStepsAboutTorus = 1000;
   constexpr double kClose_m = 1e-9;
   constexpr double kLeastStep_m = 1e-6;
@@ -99,7 +99,7 @@ double first_hit(const Primitive& primitive, const Vec3& from, const Vec3& to) {
   double before = 0.0;
   double before_m = sample(primitive, from).distance_m;
   double share = before_m / length;
-  const int most_steps = is_convex ? kMostSteps : kMostStepsAboutTorus;
+  const int most_steps = is_convex ? kMostCrossingSteps : kMostStepsAboutTorus;
   for (int i = 0; i < most_steps && (before_m > kClose_m || !is_convex); ++i) {
     share = std::min(share, 1.0);
     const double distance_m = sample(primitive, from + share * way).distance_m;

@@ -21,7 +21,7 @@ FalconPacket packet_of(std::string_view text) {
   return packet;
 }
 
-std::string text_of(const FalconPacket& packet) {
+std::string packet_text(const FalconPacket& packet) {
   std::string text;
   for (const std::byte byte : packet) {
     text.push_back(std::to_integer<char>(byte));
@@ -49,7 +49,7 @@ constexpr std::array<Recorded, 8> kRecorded = {{
 TEST(FalconPacket, IsWhatNovintsSoftwareSendsForTheSameMotorValues) {
   for (const Recorded& recorded : kRecorded) {
     const FalconCommand command{.motor = recorded.motor, .lights = {.blue = true}, .homing = false};
-    EXPECT_EQ(text_of(encode(command)), recorded.packet);
+    EXPECT_EQ(packet_text(encode(command)), recorded.packet);
   }
 }
 
@@ -68,11 +68,11 @@ TEST(FalconPacket, ReadsTheNumberOfTheProtocolsDescription) {
 }
 
 TEST(FalconPacket, EachFlagHasItsBit) {
-  EXPECT_EQ(text_of(encode({.homing = false})), "<AAAAAAAAAAAAAA>");
-  EXPECT_EQ(text_of(encode({})), "<AAAAAAAAAAAABA>");
-  EXPECT_EQ(text_of(encode({.lights = {.green = true}, .homing = false})), "<AAAAAAAAAAAACA>");
-  EXPECT_EQ(text_of(encode({.lights = {.blue = true}, .homing = false})), "<AAAAAAAAAAAAEA>");
-  EXPECT_EQ(text_of(encode({.lights = {.red = true}, .homing = false})), "<AAAAAAAAAAAAIA>");
+  EXPECT_EQ(packet_text(encode({.homing = false})), "<AAAAAAAAAAAAAA>");
+  EXPECT_EQ(packet_text(encode({})), "<AAAAAAAAAAAABA>");
+  EXPECT_EQ(packet_text(encode({.lights = {.green = true}, .homing = false})), "<AAAAAAAAAAAACA>");
+  EXPECT_EQ(packet_text(encode({.lights = {.blue = true}, .homing = false})), "<AAAAAAAAAAAAEA>");
+  EXPECT_EQ(packet_text(encode({.lights = {.red = true}, .homing = false})), "<AAAAAAAAAAAAIA>");
 }
 
 TEST(FalconPacket, MotorsAreClampedToWhatTheDeviceTakes) {

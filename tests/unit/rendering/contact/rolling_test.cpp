@@ -20,7 +20,7 @@ namespace {
 using testing::kMicron;
 using testing::Solid;
 
-constexpr double kTool_m = 0.002;
+constexpr double kRollingTool_m = 0.002;
 constexpr double kBox_m = 0.04;
 constexpr int kJumps = 500;
 
@@ -30,7 +30,7 @@ constexpr int kJumps = 500;
 class RollingTest : public ::testing::Test {
  protected:
   void take(const Solid& solid, const Vec3& from) {
-    ASSERT_TRUE(world_->set_scene({&solid.object(), 1}, {.tool_radius_m = kTool_m}));
+    ASSERT_TRUE(world_->set_scene({&solid.object(), 1}, {.tool_radius_m = kRollingTool_m}));
     world_->touch({.p_W = from});
   }
   Touch jump(const Vec3& tool) {
@@ -56,9 +56,9 @@ TEST_F(RollingTest, RoundAnEdgeInFewMoves) {
     const double angle = between(0.7, 0.9);
     const Vec3 out{std::cos(angle), std::sin(angle), 0.0};
     const Vec3 edge{kEdge_m, kEdge_m, between(-0.001, 0.001)};
-    const Touch t = jump(edge + between(0.1, 0.5) * kTool_m * out);
+    const Touch t = jump(edge + between(0.1, 0.5) * kRollingTool_m * out);
     ASSERT_EQ(t.flags, kTouchClean) << "jump " << k;
-    ASSERT_LE((t.proxy_W - edge - kTool_m * out).norm(), kMicron) << "jump " << k;
+    ASSERT_LE((t.proxy_W - edge - kRollingTool_m * out).norm(), kMicron) << "jump " << k;
   }
   EXPECT_LE(most_moves_, 8U);
 }
@@ -69,9 +69,9 @@ TEST_F(RollingTest, RoundAVertexInFewMoves) {
   take(box, {0.03, 0.03, 0.03});
   for (int k = 0; k < kJumps; ++k) {
     const Vec3 out = Vec3{between(0.9, 1.1), between(0.9, 1.1), between(0.9, 1.1)}.normalized();
-    const Touch t = jump(vertex + between(0.1, 0.5) * kTool_m * out);
+    const Touch t = jump(vertex + between(0.1, 0.5) * kRollingTool_m * out);
     ASSERT_EQ(t.flags, kTouchClean) << "jump " << k;
-    ASSERT_LE((t.proxy_W - vertex - kTool_m * out).norm(), kMicron) << "jump " << k;
+    ASSERT_LE((t.proxy_W - vertex - kRollingTool_m * out).norm(), kMicron) << "jump " << k;
   }
   EXPECT_LE(most_moves_, 8U);
 }
@@ -88,7 +88,7 @@ TEST_F(RollingTest, OverARoughEdgeInFewMoves) {
     const double angle = between(0.3, 1.3);
     const Vec3 out{std::cos(angle), std::sin(angle), 0.0};
     const Vec3 edge{kEdge_m, kEdge_m, between(-0.002, 0.002)};
-    const Touch t = jump(edge + between(-0.2, 0.8) * kTool_m * out);
+    const Touch t = jump(edge + between(-0.2, 0.8) * kRollingTool_m * out);
     ASSERT_EQ(t.flags, kTouchClean) << "jump " << k;
     if (t.friction == FrictionState::slip) {
       const double pressure = t.force_W.dot(t.normal_W);
@@ -122,7 +122,7 @@ class Rails {
   // The sphere's centre where it rests on both, which is at x = 0.
   [[nodiscard]] static Vec3 rest(double y) {
     const double aside = (kHalfGap_m + kSlope * y) / std::hypot(1.0, kSlope);
-    return {0.0, y, std::sqrt(kTool_m * kTool_m - aside * aside)};
+    return {0.0, y, std::sqrt(kRollingTool_m * kRollingTool_m - aside * aside)};
   }
 
  private:

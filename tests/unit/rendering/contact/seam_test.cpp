@@ -17,9 +17,9 @@ namespace {
 
 using testing::Solid;
 
-constexpr double kBall_m = 0.05;
+constexpr double kSeamBall_m = 0.05;
 constexpr int kStrokes = 1'000;
-constexpr int kTicks = 50;
+constexpr int kSeamTicks = 50;
 
 // Walks round the ball at 0.1 to 0.3 m/s, at a depth of 0.5 to 2 mm.
 void expect_to_arrive(const Solid& solid, double radius_m) {
@@ -35,13 +35,13 @@ void expect_to_arrive(const Solid& solid, double radius_m) {
   int crossings = 0;
   for (int stroke = 0; stroke < strokes; ++stroke) {
     Vec3 out = direction();
-    const double deep_m = kBall_m + radius_m - between(0.5e-3, 2e-3);
+    const double deep_m = kSeamBall_m + radius_m - between(0.5e-3, 2e-3);
     const double step_m = between(0.1e-3, 0.3e-3);
     const Vec3 axis = direction();
     ASSERT_TRUE(world->set_scene({&solid.object(), 1}, {.tool_radius_m = radius_m}));
-    world->touch({.p_W = 1.2 * kBall_m * out});
-    for (int tick = 0; tick < kTicks; ++tick) {
-      out = (out + step_m / kBall_m * axis.cross(out)).normalized();
+    world->touch({.p_W = 1.2 * kSeamBall_m * out});
+    for (int tick = 0; tick < kSeamTicks; ++tick) {
+      out = (out + step_m / kSeamBall_m * axis.cross(out)).normalized();
       const Vec3 tool = deep_m * out;
       ProxyPath path;
       const Touch first = world->touch({.p_W = tool}, &path);
@@ -59,14 +59,14 @@ void expect_to_arrive(const Solid& solid, double radius_m) {
 }
 
 TEST(Seam, APointThatSlidOverASeamHasArrived) {
-  const Solid rough(testing::icosphere(kBall_m, 6), Sides::one, testing::kRough);
+  const Solid rough(testing::icosphere(kSeamBall_m, 6), Sides::one, testing::kRough);
   expect_to_arrive(rough, 0.0);
-  const Solid slippery(testing::icosphere(kBall_m, 6), Sides::one, testing::kSlippery);
+  const Solid slippery(testing::icosphere(kSeamBall_m, 6), Sides::one, testing::kSlippery);
   expect_to_arrive(slippery, 0.0);
 }
 
 TEST(Seam, ASphereThatSlidOverASeamHasArrived) {
-  const Solid bumpy(testing::bumpy_sphere(kBall_m, 6, 0.05), Sides::one, testing::kSlippery);
+  const Solid bumpy(testing::bumpy_sphere(kSeamBall_m, 6, 0.05), Sides::one, testing::kSlippery);
   expect_to_arrive(bumpy, 0.002);
 }
 

@@ -11,7 +11,7 @@ namespace {
 
 using testing::Corners;
 
-Vec3 random_point(std::mt19937_64& random, double size) {
+Vec3 scattered_point(std::mt19937_64& random, double size) {
   std::uniform_real_distribution<double> place(-size, size);
   return {place(random), place(random), place(random)};
 }
@@ -29,9 +29,12 @@ TEST(Triangle, FindsTheNearestPointOfRandomTriangles) {
   std::mt19937_64 random(kSeed);
   for (int i = 0; i < 20'000; ++i) {
     SCOPED_TRACE("seed 11, case " + std::to_string(i));
-    const Corners t{
-        random_point(random, 0.1), random_point(random, 0.1), random_point(random, 0.1), {}, 0.0};
-    expect_nearest(t, random_point(random, 0.2), 1e-12);
+    const Corners t{scattered_point(random, 0.1),
+                    scattered_point(random, 0.1),
+                    scattered_point(random, 0.1),
+                    {},
+                    0.0};
+    expect_nearest(t, scattered_point(random, 0.2), 1e-12);
   }
 }
 
@@ -42,10 +45,10 @@ TEST(Triangle, FindsTheNearestPointOfSlivers) {
   std::mt19937_64 random(kSeed);
   for (int i = 0; i < 20'000; ++i) {
     SCOPED_TRACE("seed 12, case " + std::to_string(i));
-    const Vec3 a = random_point(random, 0.05);
-    const Vec3 b = random_point(random, 0.05);
-    const Vec3 c = 0.3 * a + 0.7 * b + random_point(random, 1e-7);
-    const Vec3 q = random_point(random, 0.1);
+    const Vec3 a = scattered_point(random, 0.05);
+    const Vec3 b = scattered_point(random, 0.05);
+    const Vec3 c = 0.3 * a + 0.7 * b + scattered_point(random, 1e-7);
+    const Vec3 q = scattered_point(random, 0.1);
     const Nearest got = Triangle(a, b, c).nearest(q);
     EXPECT_NEAR(got.distance, (q - testing::nearest_point({a, b, c, {}, 0.0}, q)).norm(), 1e-9);
   }
@@ -79,9 +82,9 @@ TEST(Triangle, FacesWhatIsNearestToItsFace) {
   int faced = 0;
   for (int i = 0; i < 20'000; ++i) {
     SCOPED_TRACE("seed 13, case " + std::to_string(i));
-    const Triangle t(random_point(random, 0.1), random_point(random, 0.1),
-                     random_point(random, 0.1));
-    const Vec3 q = random_point(random, 0.1);
+    const Triangle t(scattered_point(random, 0.1), scattered_point(random, 0.1),
+                     scattered_point(random, 0.1));
+    const Vec3 q = scattered_point(random, 0.1);
     ASSERT_EQ(t.faces(q), t.nearest(q).feature == Feature::face);
     faced += t.faces(q) ? 1 : 0;
   }

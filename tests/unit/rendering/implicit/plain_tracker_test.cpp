@@ -16,7 +16,7 @@
 namespace tactus::rendering {
 namespace {
 
-constexpr double kBallRadius_m = 0.03;
+constexpr double kTrackedBall_m = 0.03;
 
 // A point of the plane y = 0 at an angle from the z axis.
 Vec3 on_ray(double angle, double radius_m) {
@@ -56,15 +56,15 @@ class TrackedWorld {
 };
 
 TEST(PlainTracker, MultipliesTheAngleByMinusDepthOverRadiusInAHollow) {
-  const FormulaSurface hollow("-sphere(1)", kBallRadius_m);
+  const FormulaSurface hollow("-sphere(1)", kTrackedBall_m);
   constexpr double kSmallAngle = 1e-4;
   for (const double ratio : {0.1, 0.5, 0.9, 1.1, 1.5}) {
     SCOPED_TRACE(ratio);
-    TrackedWorld world(hollow, on_ray(kSmallAngle, 0.9 * kBallRadius_m));
-    world.touch(on_ray(kSmallAngle, 1.001 * kBallRadius_m));
+    TrackedWorld world(hollow, on_ray(kSmallAngle, 0.9 * kTrackedBall_m));
+    world.touch(on_ray(kSmallAngle, 1.001 * kTrackedBall_m));
     double angle = kSmallAngle;
     for (int tick = 0; tick < 5; ++tick) {
-      const Touch touch = world.touch({0.0, 0.0, (1.0 + ratio) * kBallRadius_m});
+      const Touch touch = world.touch({0.0, 0.0, (1.0 + ratio) * kTrackedBall_m});
       ASSERT_EQ(touch.contact, ContactKind::face);
       EXPECT_NEAR(ray_of(touch.proxy_W), -ratio * angle, 1e-5 * kSmallAngle) << tick;
       angle = ray_of(touch.proxy_W);
@@ -73,16 +73,16 @@ TEST(PlainTracker, MultipliesTheAngleByMinusDepthOverRadiusInAHollow) {
 }
 
 TEST(PlainTracker, SwingsBetweenTwoPlacesBeyondTheRadiusOfAHollowAndSettlesWithinIt) {
-  const FormulaSurface hollow("-sphere(1)", kBallRadius_m);
+  const FormulaSurface hollow("-sphere(1)", kTrackedBall_m);
   constexpr int kTicks = 2000;
   for (const double ratio : {0.3, 0.8, 1.2, 1.5}) {
     SCOPED_TRACE(ratio);
-    TrackedWorld world(hollow, on_ray(0.3, 0.9 * kBallRadius_m));
-    world.touch(on_ray(0.3, 1.001 * kBallRadius_m));
+    TrackedWorld world(hollow, on_ray(0.3, 0.9 * kTrackedBall_m));
+    world.touch(on_ray(0.3, 1.001 * kTrackedBall_m));
     const double reach = 1.0 + ratio;
     std::array<Touch, 2> last;
     for (std::size_t tick = 0; tick < kTicks; ++tick) {
-      last[tick % 2] = world.touch({0.0, 0.0, reach * kBallRadius_m});
+      last[tick % 2] = world.touch({0.0, 0.0, reach * kTrackedBall_m});
     }
     // A step takes the angle a to a - atan(reach sin a), which swings where tan 2a = reach sin a.
     const double cosine = (1.0 + std::sqrt(1.0 + 2.0 * reach * reach)) / (2.0 * reach);
@@ -91,7 +91,7 @@ TEST(PlainTracker, SwingsBetweenTwoPlacesBeyondTheRadiusOfAHollowAndSettlesWithi
     EXPECT_NEAR(ray_of(last[1].proxy_W), -ray_of(last[0].proxy_W), 1e-6);
     // The force of a still tool swings with it.
     EXPECT_NEAR((last[1].force_W - last[0].force_W).norm(),
-                2.0 * kNoFriction.stiffness_N_per_m * kBallRadius_m * std::sin(swing), 1e-4);
+                2.0 * kNoFriction.stiffness_N_per_m * kTrackedBall_m * std::sin(swing), 1e-4);
   }
 }
 
@@ -141,22 +141,22 @@ TEST(PlainTracker, PassesAThinSheetInOneTickWhereTrackingHolds) {
 }
 
 TEST(PlainTracker, LeavesAToolThatBeginsInsideAloneUntilItIsClear) {
-  const FormulaSurface ball("sphere(1)", kBallRadius_m);
-  TrackedWorld world(ball, on_ray(0.0, 0.5 * kBallRadius_m));
+  const FormulaSurface ball("sphere(1)", kTrackedBall_m);
+  TrackedWorld world(ball, on_ray(0.0, 0.5 * kTrackedBall_m));
   for (const double share : {0.5, 0.9, 0.2, 0.999}) {
-    const Touch inside = world.touch(on_ray(0.1, share * kBallRadius_m));
+    const Touch inside = world.touch(on_ray(0.1, share * kTrackedBall_m));
     EXPECT_EQ(inside.flags, kTouchOverlap);
     EXPECT_EQ(inside.contact, ContactKind::none);
     EXPECT_EQ(inside.force_W, Vec3::Zero());
   }
-  const Touch outside = world.touch(on_ray(0.1, 1.01 * kBallRadius_m));
+  const Touch outside = world.touch(on_ray(0.1, 1.01 * kTrackedBall_m));
   EXPECT_EQ(outside.flags, kTouchClean);
   EXPECT_EQ(outside.contact, ContactKind::none);
-  const Touch back = world.touch(on_ray(0.1, 0.9 * kBallRadius_m));
+  const Touch back = world.touch(on_ray(0.1, 0.9 * kTrackedBall_m));
   EXPECT_EQ(back.contact, ContactKind::face);
-  EXPECT_NEAR(back.depth_m, 0.1 * kBallRadius_m, 1e-12);
+  EXPECT_NEAR(back.depth_m, 0.1 * kTrackedBall_m, 1e-12);
   EXPECT_LT((back.normal_W - on_ray(0.1, 1.0)).norm(), 1e-12);
-  EXPECT_NEAR(back.force_W.norm(), kNoFriction.stiffness_N_per_m * 0.1 * kBallRadius_m, 1e-9);
+  EXPECT_NEAR(back.force_W.norm(), kNoFriction.stiffness_N_per_m * 0.1 * kTrackedBall_m, 1e-9);
 }
 
 TEST(PlainTracker, FeelsATwoSidedSheetFromBothSides) {
@@ -199,10 +199,10 @@ TEST(PlainTracker, HasNoSurfaceOutsideItsBox) {
 }
 
 TEST(PlainTracker, KeepsItsPointForAToolThatIsNotInTheWorld) {
-  const FormulaSurface ball("sphere(1)", kBallRadius_m);
+  const FormulaSurface ball("sphere(1)", kTrackedBall_m);
   PlainTracker tracker;
-  tracker.place(on_ray(0.0, 1.1 * kBallRadius_m));
-  const PlainRest held = tracker.advance(ball.surface, on_ray(0.0, 0.9 * kBallRadius_m));
+  tracker.place(on_ray(0.0, 1.1 * kTrackedBall_m));
+  const PlainRest held = tracker.advance(ball.surface, on_ray(0.0, 0.9 * kTrackedBall_m));
   ASSERT_TRUE(held.in_contact);
   constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
   for (const Vec3& tool : {Vec3(kNan, 0.0, 0.0), Vec3(0.0, 2.0 * kWorldBound_m, 0.0)}) {
@@ -211,14 +211,14 @@ TEST(PlainTracker, KeepsItsPointForAToolThatIsNotInTheWorld) {
     EXPECT_EQ(rest.proxy_W, held.proxy_W);
     EXPECT_FALSE(rest.in_contact);
   }
-  EXPECT_TRUE(tracker.advance(ball.surface, on_ray(0.1, 0.9 * kBallRadius_m)).in_contact);
+  EXPECT_TRUE(tracker.advance(ball.surface, on_ray(0.1, 0.9 * kTrackedBall_m)).in_contact);
 }
 
 TEST(PlainTracker, GoesOnToTheSameBitsFromASavedContact) {
-  const FormulaSurface hollow("-sphere(1)", kBallRadius_m);
-  TrackedWorld world(hollow, on_ray(0.3, 0.9 * kBallRadius_m));
+  const FormulaSurface hollow("-sphere(1)", kTrackedBall_m);
+  TrackedWorld world(hollow, on_ray(0.3, 0.9 * kTrackedBall_m));
   const auto tool = [](int tick) {
-    return on_ray(0.05 * tick, (2.2 + 0.1 * (tick % 3)) * kBallRadius_m);
+    return on_ray(0.05 * tick, (2.2 + 0.1 * (tick % 3)) * kTrackedBall_m);
   };
   for (int tick = 0; tick < 25; ++tick) {
     ASSERT_EQ(world.touch(tool(tick)).contact, ContactKind::face);
@@ -227,7 +227,7 @@ TEST(PlainTracker, GoesOnToTheSameBitsFromASavedContact) {
   StateArchive saved = StateArchive::writer(room);
   world.world->transfer(saved);
   ASSERT_TRUE(saved.good());
-  TrackedWorld other(hollow, on_ray(2.0, 0.5 * kBallRadius_m));
+  TrackedWorld other(hollow, on_ray(2.0, 0.5 * kTrackedBall_m));
   StateArchive restored = StateArchive::reader(std::span(room).first(saved.size()));
   other.world->transfer(restored);
   ASSERT_TRUE(restored.good());

@@ -18,7 +18,7 @@
 namespace tactus::rendering {
 namespace {
 
-constexpr double kStiffness = 600.0;
+constexpr double kStartStiffness = 600.0;
 
 Object field_of(PrimitiveKind kind, const Vec3& place_W, const std::array<double, 3>& dimensions) {
   Object object;
@@ -27,7 +27,7 @@ Object field_of(PrimitiveKind kind, const Vec3& place_W, const std::array<double
   object.primitive.kind = kind;
   object.primitive.X_WO.translation = place_W;
   object.primitive.dimensions_m = dimensions;
-  object.material.stiffness_N_per_m = kStiffness;
+  object.material.stiffness_N_per_m = kStartStiffness;
   return object;
 }
 
@@ -37,7 +37,7 @@ Object field_of(const testing::ConnectedSolid& solid) {
   object.mesh = solid.mesh().mesh;
   object.neighbours = solid.mesh().neighbours;
   object.vertex_normals = solid.mesh().vertex_normals;
-  object.material.stiffness_N_per_m = kStiffness;
+  object.material.stiffness_N_per_m = kStartStiffness;
   return object;
 }
 
@@ -90,7 +90,7 @@ double largest_push(std::span<const Object> heap, std::span<bool> began_in, cons
   for (std::size_t i = 0; i < heap.size(); ++i) {
     const double depth = radius_m - distance_of(heap[i], p_W);
     began_in[i] = began_in[i] && depth > 0.0;
-    sum += began_in[i] ? 0.0 : kStiffness * std::max(depth, 0.0);
+    sum += began_in[i] ? 0.0 : kStartStiffness * std::max(depth, 0.0);
   }
   return sum;
 }
@@ -142,7 +142,8 @@ TEST(FieldStart, AFieldThatTheToolHasLeftPushesAsItAlwaysDoes) {
       ASSERT_EQ(world->stretch_m(0), 0.0);
     }
     EXPECT_EQ(world->touch({.p_W = {0.0, 0.0221, 0.0}}).flags, kTouchClean);
-    EXPECT_NEAR(world->touch({.p_W = {0.0, 0.021, 0.0}}).force_W.y(), 0.001 * kStiffness, 1e-9);
+    EXPECT_NEAR(world->touch({.p_W = {0.0, 0.021, 0.0}}).force_W.y(), 0.001 * kStartStiffness,
+                1e-9);
     EXPECT_NEAR(world->stretch_m(0), 0.001, 1e-12);
   }
 }
@@ -155,7 +156,7 @@ TEST(FieldStart, AFieldThatTheToolLeavesInOneTickIsFeltAfterIt) {
   for (int i = 0; i < 3; ++i) {
     world->touch({.p_W = {0.0, 0.5, 0.0}});
   }
-  EXPECT_NEAR(world->touch({.p_W = {0.0, 0.021, 0.0}}).force_W.y(), 0.001 * kStiffness, 1e-9);
+  EXPECT_NEAR(world->touch({.p_W = {0.0, 0.021, 0.0}}).force_W.y(), 0.001 * kStartStiffness, 1e-9);
 }
 
 TEST(FieldStart, FeelsNothingOfAMeshThatItBeginsInUntilItHasLeft) {
@@ -170,7 +171,8 @@ TEST(FieldStart, FeelsNothingOfAMeshThatItBeginsInUntilItHasLeft) {
       ASSERT_EQ(world->touch({.p_W = {0.001, y, 0.002}}).force_W, Vec3::Zero()) << y;
     }
     world->touch({.p_W = {0.001, 0.0221, 0.002}});
-    EXPECT_NEAR(world->touch({.p_W = {0.001, 0.021, 0.002}}).force_W.y(), 0.001 * kStiffness, 1e-6);
+    EXPECT_NEAR(world->touch({.p_W = {0.001, 0.021, 0.002}}).force_W.y(), 0.001 * kStartStiffness,
+                1e-6);
   }
 }
 
@@ -198,7 +200,7 @@ TEST(FieldStart, AFieldThatComesOverTheToolPushesAndOneThatMovesWithItDoesNot) {
   EXPECT_EQ(at(0.005), Vec3::Zero());
   EXPECT_EQ(at(0.015), Vec3::Zero());
   EXPECT_EQ(at(0.025), Vec3::Zero());
-  EXPECT_NEAR(at(0.021).y(), -0.001 * kStiffness, 1e-9);
+  EXPECT_NEAR(at(0.021).y(), -0.001 * kStartStiffness, 1e-9);
 }
 
 TEST(FieldStart, EachToolHasABeginningOfItsOwn) {
@@ -231,7 +233,7 @@ TEST(FieldStart, WhatTheToolBeganInIsPartOfTheState) {
     world->transfer(reader);
     ASSERT_TRUE(reader.good() && reader.at_end());
     EXPECT_NEAR(world->touch({.p_W = {0.0, 0.021, 0.0}}).force_W.y(),
-                began_in ? 0.0 : 0.001 * kStiffness, 1e-9);
+                began_in ? 0.0 : 0.001 * kStartStiffness, 1e-9);
   }
 }
 

@@ -21,7 +21,7 @@ using testing::kRough;
 using testing::kSlippery;
 using testing::Solid;
 
-constexpr double kTick_s = 1e-3;
+constexpr double kMovedTick_s = 1e-3;
 
 Object moving(Object object) {
   object.moves = true;
@@ -59,7 +59,7 @@ class SweepTest : public MovingTest, public ::testing::WithParamInterface<double
       ASSERT_LE(touch.proxy_W.y(), std::max(0.0, rest) + kMicron) << "height " << height;
       ASSERT_EQ(touch.flags, kTouchClean);
       felt = felt || touch.contact != ContactKind::none;
-      height += GetParam() * kTick_s;
+      height += GetParam() * kMovedTick_s;
     }
     EXPECT_TRUE(felt);
   }
@@ -93,7 +93,7 @@ TEST_F(MovingTest, APaddleAtFortyRadiansPerSecondKeepsThePointAndTheSphereOnItsF
     take(paddle.object(), radius_m);
     const Vec3 tool(0.1, 0.03, 0.0);
     world_->touch({.p_W = tool});
-    for (double t = 0.0; t < 0.03; t += kTick_s) {
+    for (double t = 0.0; t < 0.03; t += kMovedTick_s) {
       const RigidPose pose{.rotation = turned(Vec3::UnitZ(), 40.0 * t)};
       ASSERT_TRUE(world_->set_pose(0, pose, {.angular_W = {0.0, 0.0, 40.0}}));
       const Touch touch = world_->touch({.p_W = tool});
@@ -110,7 +110,7 @@ TEST_F(MovingTest, AConveyorDragsAStillToolByTheDynamicCoefficientTimesTheDepth)
   const Vec3 tool(0.0, 0.005, 0.0);  // 2 mm deep
   world_->touch({.p_W = {0.0, 0.02, 0.0}});
   Touch touch;
-  for (double t = 0.0; t < 0.5; t += kTick_s) {
+  for (double t = 0.0; t < 0.5; t += kMovedTick_s) {
     world_->set_pose(0, {.translation = {0.3 * t, 0.0, 0.0}}, {.linear_W = {0.3, 0.0, 0.0}});
     touch = world_->touch({.p_W = tool});
   }
@@ -141,7 +141,7 @@ TEST_F(MovingTest, ATumblingObjectFeelsLikeOneAtRestToATumblingHand) {
     const auto still = std::make_unique<World>();
     ASSERT_TRUE(still->set_scene({&bumpy.object(), 1}, {.tool_radius_m = radius_m}));
     for (int tick = 0; tick < 3000; ++tick) {
-      const double t = tick * kTick_s;
+      const double t = tick * kMovedTick_s;
       const double around = 1.3 * t;
       const double height = 0.3 * std::sin(0.9 * t);
       const Vec3 direction(std::cos(around), height, std::sin(around));
@@ -221,7 +221,7 @@ TEST_F(MovingTest, APlateThatPushesTheProxyAgainstAWallLetsItSlideAlongTheWall) 
   world_->set_pose(1, {.translation = {0.1, -0.02, 0.0}}, {});
   const Vec3 tool(0.0125, 0.0, 0.0);
   world_->touch({.p_W = tool});
-  for (double t = 0.0; t < 0.2; t += kTick_s) {
+  for (double t = 0.0; t < 0.2; t += kMovedTick_s) {
     const RigidPose pose{.translation = {0.1, -0.02 + 0.5 * t, 0.0}};
     world_->set_pose(1, pose, {});
     const Touch touch = world_->touch({.p_W = tool});
