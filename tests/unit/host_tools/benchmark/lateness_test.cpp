@@ -17,7 +17,7 @@ namespace {
 
 using testing::Solid;
 
-constexpr double kBall_m = 0.04;
+constexpr double kLatenessBall_m = 0.04;
 constexpr double kToolRadius_m = 0.002;
 constexpr double kDepth_m = 0.005;
 // The instructions of a tick that ends after a few moves.
@@ -29,13 +29,14 @@ class LatenessTest : public ::testing::Test {
  protected:
   // Returns the tool's place where it presses at an angle about the ball, rad.
   [[nodiscard]] static Vec3 pressed_at(double angle) {
-    return (kBall_m + kToolRadius_m - kDepth_m) * Vec3{std::cos(angle), std::sin(angle), 0.0};
+    return (kLatenessBall_m + kToolRadius_m - kDepth_m) *
+           Vec3{std::cos(angle), std::sin(angle), 0.0};
   }
 
   // Returns a path on which the tool presses at each of the angles (rad) in turn, long enough for
   // the proxy to arrive.
   [[nodiscard]] static std::vector<Vec3> jumps(const std::vector<double>& angles) {
-    std::vector<Vec3> path{{kBall_m + 2.0 * kToolRadius_m, 0.0, 0.0}};
+    std::vector<Vec3> path{{kLatenessBall_m + 2.0 * kToolRadius_m, 0.0, 0.0}};
     for (const double angle : angles) {
       path.insert(path.end(), kWait, pressed_at(angle));
     }
@@ -47,7 +48,8 @@ class LatenessTest : public ::testing::Test {
     return lateness_of({&ball_.object(), 1}, kToolRadius_m, path, tick_instructions);
   }
 
-  Solid ball_{testing::icosphere(kBall_m, 6), rendering::Sides::one, {.stiffness_N_per_m = 1000.0}};
+  Solid ball_{
+      testing::icosphere(kLatenessBall_m, 6), rendering::Sides::one, {.stiffness_N_per_m = 1000.0}};
 };
 
 TEST_F(LatenessTest, IsNoneWhereTheBudgetIsEnough) {
@@ -77,7 +79,7 @@ TEST_F(LatenessTest, TheSeriesIsThatOfTheLongestJumpAlone) {
   EXPECT_EQ(two.in_a_row, one.in_a_row) << "the second jump is shorter";
   EXPECT_GT(two.late_ticks, one.late_ticks);
   // The chord between the proxy before the jump and the place where it belongs after it.
-  const double chord_m = 2.0 * (kBall_m + kToolRadius_m) * std::sin(0.5);
+  const double chord_m = 2.0 * (kLatenessBall_m + kToolRadius_m) * std::sin(0.5);
   EXPECT_LT(one.worst_m, chord_m);
   EXPECT_GT(one.worst_m, 0.5 * chord_m);
   EXPECT_EQ(two.worst_m, one.worst_m);
@@ -86,7 +88,7 @@ TEST_F(LatenessTest, TheSeriesIsThatOfTheLongestJumpAlone) {
 TEST_F(LatenessTest, OnlyAForceThatPointsElsewhereIsTurned) {
   // The proxy lags by at most the jump, so the force turns by no more than this angle.
   constexpr double kShort = 0.05;
-  const double most_rad = std::atan2((kBall_m + kToolRadius_m) * kShort, kDepth_m);
+  const double most_rad = std::atan2((kLatenessBall_m + kToolRadius_m) * kShort, kDepth_m);
   ASSERT_LT(most_rad, kTurned_rad);
   const Lateness near = late(jumps({0.0, kShort}), kLittle);
   EXPECT_GT(near.late_ticks, 0U);
@@ -103,7 +105,7 @@ TEST_F(LatenessTest, OnlyAForceThatPointsElsewhereIsTurned) {
 TEST_F(LatenessTest, IsThatOfTicksFromTheSameState) {
   // The late proxy is dragged to the last place from one side, and one that was never late from the
   // other. Friction holds them on these two sides for ever, but no tick there is late.
-  const Solid rough(testing::icosphere(kBall_m, 6), rendering::Sides::one,
+  const Solid rough(testing::icosphere(kLatenessBall_m, 6), rendering::Sides::one,
                     {.stiffness_N_per_m = 1000.0, .friction = rendering::cone_friction(0.6, 0.4)});
   std::vector<Vec3> path = jumps({0.0});
   path.insert(path.end(), 5, pressed_at(1.0));

@@ -12,7 +12,7 @@
 namespace tactus::host {
 namespace {
 
-constexpr std::array<std::string_view, 2> kColumns = {"t_s", "x_m"};
+constexpr std::array<std::string_view, 2> kTwoColumns = {"t_s", "x_m"};
 
 std::string csv_file_with(std::string_view text) {
   const auto* const test = ::testing::UnitTest::GetInstance()->current_test_info();
@@ -25,7 +25,7 @@ std::string csv_file_with(std::string_view text) {
 std::string complaint(std::string_view text) {
   const std::string name = csv_file_with(text);
   try {
-    CsvTable::read(name, kColumns);
+    CsvTable::read(name, kTwoColumns);
   } catch (const InputError& error) {
     const std::string message = error.what();
     return message.substr(message.starts_with(name) ? name.size() : 0);
@@ -35,7 +35,7 @@ std::string complaint(std::string_view text) {
 
 TEST(CsvTable, FindsColumnsByNameInAnyOrder) {
   const CsvTable table =
-      CsvTable::read(csv_file_with("x_m,note,t_s\n0.5,hello,1\n-2e-3,,2\n"), kColumns);
+      CsvTable::read(csv_file_with("x_m,note,t_s\n0.5,hello,1\n-2e-3,,2\n"), kTwoColumns);
   ASSERT_EQ(table.rows(), 2U);
   EXPECT_EQ(table.column("t_s")[1], 2.0);
   EXPECT_EQ(table.column("x_m")[1], -2e-3);
@@ -44,7 +44,7 @@ TEST(CsvTable, FindsColumnsByNameInAnyOrder) {
 
 TEST(CsvTable, TakesBlanksCarriageReturnsBlankLinesAndAByteOrderMark) {
   const CsvTable table =
-      CsvTable::read(csv_file_with("\xEF\xBB\xBFt_s , x_m\r\n\r\n 1 , 2 \r\n3,4"), kColumns);
+      CsvTable::read(csv_file_with("\xEF\xBB\xBFt_s , x_m\r\n\r\n 1 , 2 \r\n3,4"), kTwoColumns);
   ASSERT_EQ(table.rows(), 2U);
   EXPECT_EQ(table.column("x_m")[1], 4.0);
   EXPECT_EQ(table.line(0), 3U);
@@ -52,7 +52,8 @@ TEST(CsvTable, TakesBlanksCarriageReturnsBlankLinesAndAByteOrderMark) {
 
 TEST(CsvTable, OptionalColumnsMayBeMissing) {
   constexpr std::array<std::string_view, 2> kOptional = {"mode", "y_m"};
-  const CsvTable table = CsvTable::read(csv_file_with("t_s,x_m,y_m\n1,2,3\n"), kColumns, kOptional);
+  const CsvTable table =
+      CsvTable::read(csv_file_with("t_s,x_m,y_m\n1,2,3\n"), kTwoColumns, kOptional);
   EXPECT_FALSE(table.has("mode"));
   EXPECT_TRUE(table.column("mode").empty());
   EXPECT_EQ(table.column("y_m")[0], 3.0);
@@ -72,7 +73,7 @@ TEST(CsvTable, NamesTheLineAndTheColumnOfWhatIsWrong) {
 
 TEST(CsvTable, AMissingFileIsSaidToBeMissing) {
   try {
-    CsvTable::read("/no/such/file.csv", kColumns);
+    CsvTable::read("/no/such/file.csv", kTwoColumns);
     FAIL() << "accepted";
   } catch (const InputError& error) {
     EXPECT_EQ(std::string(error.what()), "/no/such/file.csv: no such file, or not readable");
