@@ -50,10 +50,11 @@ void take_over_impulses(const PastContact& before, const BodyContact& contact, S
 // Friction holds a point within the circle that its push allows. The impulse that would stop the
 // slip in both directions is of no use to a point that slips: where the masses along them differ it
 // is not against the slip. A step of one mass for both leads there.
-void solve_friction(const BodyContact& contact, SolvedPoint& point, SolverBody& a, SolverBody& b) {
+[[gnu::always_inline]] inline void solve_friction(double friction, SolvedPoint& point,
+                                                  MeetingSolids& solids) {
   const Eigen::Vector2d masses{point.along[1].mass, point.along[2].mass};
-  const Eigen::Vector2d slip{parting(a, b, point.along[1]), parting(a, b, point.along[2])};
-  const double most = contact.surface.friction * point.push;
+  const Eigen::Vector2d slip{solids.parting(point.along[1]), solids.parting(point.along[2])};
+  const double most = friction * point.push;
   Eigen::Vector2d wanted = point.rub - masses.cwiseProduct(slip);
   if (wanted.squaredNorm() > most * most) {
     wanted = point.rub - masses.minCoeff() * slip;
@@ -62,14 +63,14 @@ void solve_friction(const BodyContact& contact, SolvedPoint& point, SolverBody& 
       wanted *= most / std::sqrt(size2);
     }
   }
-  push_apart(contact.pushes_a, a, b, point.along[1], wanted[0] - point.rub[0]);
-  push_apart(contact.pushes_a, a, b, point.along[2], wanted[1] - point.rub[1]);
+  solids.push_apart(point.along[1], wanted[0] - point.rub[0]);
+  solids.push_apart(point.along[2], wanted[1] - point.rub[1]);
   point.rub = wanted;
 }
 
 // Solves the points along the normal once.
-void solve_pushes(BodyContact& contact, SolverBody& a, SolverBody& b, double step_s,
-                  const ContactSoftness* softness) {
+[[gnu::always_inline]] inline void solve_pushes(BodyContact& contact, MeetingSolids& solids,
+                                                double step_s, const ContactSoftness* softness) {
   for (std::size_t i = 0; i < contact.count; ++i) {
     SolvedPoint& point = contact.points[i];
     const double separation = point.separation_now_m;
@@ -84,12 +85,12 @@ void solve_pushes(BodyContact& contact, SolverBody& a, SolverBody& b, double ste
       mass_scale = softness->mass_scale;
       impulse_scale = softness->impulse_scale;
     }
-    const double approach = parting(a, b, point.along[0]);
+    const double approach = solids.parting(point.along[0]);
     const double change =
         -point.along[0].mass * mass_scale * (approach + bias) - impulse_scale * point.push;
     const double push = std::max(point.push + change, 0.0);
     if (push != point.push) {
-      push_apart(contact.pushes_a, a, b, point.along[0], push - point.push);
+      solids.push_apart(point.along[0], push - point.push);
       point.push = push;
       point.hardest_push = std::max(point.hardest_push, push);
     }
@@ -130,6 +131,7 @@ void begin_contact(const Manifold& manifold, std::span<const SolverBody> bodies,
   contact.axes_W[1] = normal.cross(Vec3::Unit(least)).normalized();
   contact.axes_W[2] = normal.cross(contact.axes_W[1]);
   contact.pushes_a = a.can_move();
+  const MeetingSolids solids(contact.pushes_a, a, b);
   contact.count = manifold.count;
   contact.hits = false;
   for (std::size_t i = 0; i < manifold.count; ++i) {
@@ -150,7 +152,7 @@ void begin_contact(const Manifold& manifold, std::span<const SolverBody> bodies,
     for (PushDirection& along : point.along) {
       set_mass(contact.pushes_a, along);
     }
-    point.parting_m_per_s = parting(a, b, point.along[0]);
+    point.parting_m_per_s = solids.parting(point.along[0]);
     contact.hits = contact.hits || is_hit(point);
     if (before != nullptr) {
       take_over_impulses(*before, contact, point);
@@ -165,18 +167,20 @@ void warm_start(BodyContact& contact, std::span<SolverBody> bodies) {
   SolverBody& a = bodies[contact.a];
   SolverBody& b = bodies[contact.b];
   const bool has_springs = a.has_springs() || b.has_springs();
+  MeetingSolids solids(contact.pushes_a, a, b);
   for (std::size_t i = 0; i < contact.count; ++i) {
     SolvedPoint& point = contact.points[i];
     if (has_springs) {
       set_answers(contact, a, b, point);
     }
-    push_apart(contact.pushes_a, a, b, point.along[0], point.push);
-    push_apart(contact.pushes_a, a, b, point.along[1], point.rub[0]);
-    push_apart(contact.pushes_a, a, b, point.along[2], point.rub[1]);
+    solids.push_apart(point.along[0], point.push);
+    solids.push_apart(point.along[1], point.rub[0]);
+    solids.push_apart(point.along[2], point.rub[1]);
   }
   if (contact.surface.resists_turning()) {
-    warm_start_turning(contact, a, b);
+    warm_start_turning(contact, a, b, solids);
   }
+  solids.finish(a, b);
 }
 
 // A rotation R moves the point at `arm` along the normal n by (R arm - arm) n = arm (R'n - n).
@@ -198,20 +202,22 @@ void solve_contact(BodyContact& contact, std::span<SolverBody> bodies, double st
                    const ContactSoftness* softness) {
   SolverBody& a = bodies[contact.a];
   SolverBody& b = bodies[contact.b];
+  MeetingSolids solids(contact.pushes_a, a, b);
   const int rounds = contact.hits ? kRoundsOfHit : 1;
   for (int round = 0; round < rounds; ++round) {
-    solve_pushes(contact, a, b, step_s, softness);
+    solve_pushes(contact, solids, step_s, softness);
     if (contact.surface.resists_turning()) {
-      solve_turning(contact, a, b);
+      solve_turning(contact, solids);
     }
     for (std::size_t i = 0; i < contact.count; ++i) {
       SolvedPoint& point = contact.points[i];
       // A point that is not pushed has no friction.
       if (point.push > 0.0 || point.rub[0] != 0.0 || point.rub[1] != 0.0) {
-        solve_friction(contact, point, a, b);
+        solve_friction(contact.surface.friction, point, solids);
       }
     }
   }
+  solids.finish(a, b);
 }
 
 bool apply_restitution(BodyContact& contact, std::span<SolverBody> bodies) {
@@ -220,20 +226,22 @@ bool apply_restitution(BodyContact& contact, std::span<SolverBody> bodies) {
   }
   SolverBody& a = bodies[contact.a];
   SolverBody& b = bodies[contact.b];
+  MeetingSolids solids(contact.pushes_a, a, b);
   bool has_changed = false;
   for (std::size_t i = 0; i < contact.count; ++i) {
     SolvedPoint& point = contact.points[i];
     if (!is_hit(point) || !(point.hardest_push > 0.0)) {
       continue;
     }
-    const double approach = parting(a, b, point.along[0]);
+    const double approach = solids.parting(point.along[0]);
     const double change =
         -point.along[0].mass * (approach + contact.surface.restitution * point.parting_m_per_s);
     const double push = std::max(point.push + change, 0.0);
     has_changed = has_changed || std::abs(push - point.push) > kLeastChange * point.hardest_push;
-    push_apart(contact.pushes_a, a, b, point.along[0], push - point.push);
+    solids.push_apart(point.along[0], push - point.push);
     point.push = push;
   }
+  solids.finish(a, b);
   return has_changed;
 }
 

@@ -168,13 +168,13 @@ void BodyWorld::bounce() {
 // The velocities of a body that no springs hold have changed by the contacts' impulses alone. Those
 // of the body itself do not count: after its move the same momentum is another angular velocity.
 void BodyWorld::sum_impulses() {
-  bool any_springs = false;
   for (const std::uint8_t i : awake()) {
-    any_springs = any_springs || solids_[i].has_springs();
     pushed_[i].setZero();
   }
-  for (std::size_t i = 0; any_springs && i < contact_count_; ++i) {
-    add_impulses(contacts_[i], pushed_);
+  for (const BodyContact& contact : std::span(contacts_).first(contact_count_)) {
+    if (solids_[contact.a].has_springs() || solids_[contact.b].has_springs()) {
+      add_impulses(contact, pushed_);
+    }
   }
   grips_.add_spins(pushed_);
   for (const std::uint8_t i : awake()) {

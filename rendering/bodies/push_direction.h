@@ -3,6 +3,7 @@
 #pragma once
 
 #include "rendering/bodies/solver_body.h"
+#include "rendering/geometry/pair.h"
 
 namespace tactus::rendering {
 
@@ -18,19 +19,75 @@ struct PushDirection {
   double mass = 0.0;
 };
 
-// Returns the speed with which the surfaces part along a direction.
-inline double parting(const SolverBody& a, const SolverBody& b, const PushDirection& along) {
-  return dot(along.on_a, a.velocity()) + dot(along.on_b, b.velocity());
-}
+// A velocity of a solid in registers, while many impulses change it.
+class PairedVelocity {
+ public:
+  explicit PairedVelocity(const Vec6& velocity)
+      : first_(pair_at(velocity.data())),
+        second_(pair_at(velocity.data() + 2)),
+        third_(pair_at(velocity.data() + 4)) {}
 
-// Applies an impulse; A may be an obstacle, which cannot be pushed.
-inline void push_apart(bool pushes_a, SolverBody& a, SolverBody& b, const PushDirection& along,
-                       double impulse) {
-  if (pushes_a) {
-    a.gain(impulse, along.answer_a);
+  // Returns the product with an impulse and its torque.
+  [[nodiscard]] double dot(const Vec6& wrench) const {
+    const double* const p = wrench.data();
+    const Pair sum = pair_at(p) * first_ + pair_at(p + 2) * second_ + pair_at(p + 4) * third_;
+    return sum[0] + sum[1];
   }
-  b.gain(impulse, along.answer_b);
-}
+
+  // Adds a multiple of an answer_to() an impulse.
+  void gain(double factor, const Vec6& answer) {
+    const double* const p = answer.data();
+    first_ += both(factor) * pair_at(p);
+    second_ += both(factor) * pair_at(p + 2);
+    third_ += both(factor) * pair_at(p + 4);
+  }
+
+  [[nodiscard]] Vec6 value() const {
+    Vec6 velocity;
+    velocity << first_[0], first_[1], second_[0], second_[1], third_[0], third_[1];
+    return velocity;
+  }
+
+ private:
+  Pair first_;
+  Pair second_;
+  Pair third_;
+};
+
+// The two solids of a contact while impulses go between them. It changes copies of their
+// velocities, which finish() gives back.
+class MeetingSolids {
+ public:
+  // `pushes_a` is false if A is an obstacle, which cannot be pushed.
+  MeetingSolids(bool pushes_a, const SolverBody& a, const SolverBody& b)
+      : pushes_a_(pushes_a), a_(a.velocity()), b_(b.velocity()) {}
+
+  // Returns the speed with which the surfaces part along a direction.
+  [[nodiscard]] double parting(const PushDirection& along) const {
+    return a_.dot(along.on_a) + b_.dot(along.on_b);
+  }
+
+  // Applies an impulse along a direction.
+  void push_apart(const PushDirection& along, double impulse) {
+    if (pushes_a_) {
+      a_.gain(impulse, along.answer_a);
+    }
+    b_.gain(impulse, along.answer_b);
+  }
+
+  // Gives the solids the velocities that they have now.
+  void finish(SolverBody& a, SolverBody& b) const {
+    if (pushes_a_) {
+      a.set_velocity(a_.value());
+    }
+    b.set_velocity(b_.value());
+  }
+
+ private:
+  bool pushes_a_;
+  PairedVelocity a_;
+  PairedVelocity b_;
+};
 
 // Computes the answers of the bodies as they are now.
 inline void set_answers(bool pushes_a, const SolverBody& a, const SolverBody& b,

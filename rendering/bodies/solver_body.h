@@ -80,6 +80,7 @@ class SolverBody {
   // Changes the velocities by an impulse with its torque, or by a multiple of an answer_to() one.
   void accelerate(const Vec6& wrench) { velocity_ += answer_to(wrench); }
   void gain(double factor, const Vec6& answer) { add(factor, answer, velocity_); }
+  void set_velocity(const Vec6& velocity) { velocity_ = velocity; }
 
   // Returns the impulse, with its torque, that has changed the velocities since the beginning of
   // the sub-step. For a body that no springs hold.

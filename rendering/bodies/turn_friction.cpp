@@ -19,10 +19,10 @@ Vec3 within_limits(const BodyContact& contact, const Vec3& torque) {
   return {std::clamp(torque[0], -most_spin, most_spin), share * torque[1], share * torque[2]};
 }
 
-void apply_change(BodyContact& contact, const Vec3& torque, SolverBody& a, SolverBody& b) {
+void apply_change(BodyContact& contact, const Vec3& torque, MeetingSolids& solids) {
   for (std::size_t k = 0; k < 3; ++k) {
     const auto i = static_cast<Eigen::Index>(k);
-    push_apart(contact.pushes_a, a, b, contact.about[k], torque[i] - contact.torque[i]);
+    solids.push_apart(contact.about[k], torque[i] - contact.torque[i]);
   }
   contact.torque = torque;
 }
@@ -46,7 +46,8 @@ void begin_turning(const PastContact* before, const SolverBody& a, const SolverB
                     torque_W.dot(contact.axes_W[2])};
 }
 
-void warm_start_turning(BodyContact& contact, SolverBody& a, SolverBody& b) {
+void warm_start_turning(BodyContact& contact, const SolverBody& a, const SolverBody& b,
+                        MeetingSolids& solids) {
   const bool has_springs = a.has_springs() || b.has_springs();
   const Vec3 torque = within_limits(contact, contact.torque);
   contact.torque.setZero();
@@ -55,15 +56,16 @@ void warm_start_turning(BodyContact& contact, SolverBody& a, SolverBody& b) {
       set_answers(contact.pushes_a, a, b, about);
     }
   }
-  apply_change(contact, torque, a, b);
+  apply_change(contact, torque, solids);
 }
 
-void solve_turning(BodyContact& contact, SolverBody& a, SolverBody& b) {
+void solve_turning(BodyContact& contact, MeetingSolids& solids) {
   Vec3 wanted = contact.torque;
   for (std::size_t k = 0; k < 3; ++k) {
-    wanted[static_cast<Eigen::Index>(k)] -= contact.about[k].mass * parting(a, b, contact.about[k]);
+    wanted[static_cast<Eigen::Index>(k)] -=
+        contact.about[k].mass * solids.parting(contact.about[k]);
   }
-  apply_change(contact, within_limits(contact, wanted), a, b);
+  apply_change(contact, within_limits(contact, wanted), solids);
 }
 
 Vec3 turning_torque_W(const BodyContact& contact) {

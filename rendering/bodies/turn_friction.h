@@ -19,10 +19,11 @@ void begin_turning(const PastContact* before, const SolverBody& a, const SolverB
                    BodyContact& contact);
 
 // Begins a sub-step: applies the torques that the last one ended with.
-void warm_start_turning(BodyContact& contact, SolverBody& a, SolverBody& b);
+void warm_start_turning(BodyContact& contact, const SolverBody& a, const SolverBody& b,
+                        MeetingSolids& solids);
 
 // Stops the turning once, within the limits of the present push.
-void solve_turning(BodyContact& contact, SolverBody& a, SolverBody& b);
+void solve_turning(BodyContact& contact, MeetingSolids& solids);
 
 // Returns the torque on B, N m s; the opposite one acts on A.
 Vec3 turning_torque_W(const BodyContact& contact);
