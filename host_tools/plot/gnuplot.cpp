@@ -149,7 +149,7 @@ constexpr std::string_view kSvgTerminal = R"gnuplot(
 set terminal svg size {width},{height} fixed font "DejaVu Sans,15" linewidth 1.4 rounded background "#ffffff"
 )gnuplot";
 constexpr std::string_view kPdfTerminal = R"gnuplot(
-set terminal pdfcairo size ({width}/144.0),({height}/144.0) font "DejaVu Sans,15" fontscale 0.5 linewidth 0.7 rounded background "#ffffff"
+set terminal pdfcairo size ({width}/144.0),({height}/144.0) font "DejaVu Sans,15" fontscale 0.5 linewidth 1.5 rounded background "#ffffff"
 )gnuplot";
 
 constexpr auto kFormats = std::to_array<FormatTraits>({
