@@ -37,7 +37,8 @@ inline ContactKind kind_of(Feature feature) {
 enum class FrictionState : std::uint8_t { free = 0, stick = 1, slip = 2 };
 
 // The limits that a touch reached, one bit each; 0 is a clean tick. With every bit the force stays
-// bounded and the proxy has crossed nothing. The capacities are in limits.h.
+// bounded and the proxy has crossed nothing. The last one is of the whole world, and every tool has
+// it. The capacities are in limits.h.
 enum TouchFlags : std::uint32_t {
   kTouchClean = 0,
   // More triangles than kMaxCandidates are near the tool: a slower path is taken.
@@ -52,6 +53,9 @@ enum TouchFlags : std::uint32_t {
   kTouchPinched = 1U << 4,
   // An object that the tool began in or came out of is not felt until the tool is clear of it.
   kTouchOverlap = 1U << 5,
+  // Bodies meet in more contacts than kMaxBodyContacts, or one is near more than kMaxNearTriangles
+  // of a mesh: they go through what is left out.
+  kTouchBodyContactsOverflow = 1U << 6,
 };
 
 // The parts of a touch's force, N on the hand, world frame. The rest of the force is the surfaces'

@@ -14,13 +14,15 @@ namespace tactus::host {
 namespace {
 
 // The names in the order of the bits of rendering::kTouch...
-constexpr std::array<std::string_view, kTouchFlagCount> kTouchFlagNames = {"candidates_overflow",
-                                                                           "iterations_exhausted",
-                                                                           "planes_overflow",
-                                                                           "tool_invalid",
-                                                                           "pinched",
-                                                                           "overlap"};
-static_assert(rendering::kTouchOverlap == 1U << (kTouchFlagCount - 1));
+constexpr std::array<std::string_view, kTouchFlagCount> kTouchFlagNames = {
+    "candidates_overflow",
+    "iterations_exhausted",
+    "planes_overflow",
+    "tool_invalid",
+    "pinched",
+    "overlap",
+    "body_contacts_overflow"};
+static_assert(rendering::kTouchBodyContactsOverflow == 1U << (kTouchFlagCount - 1));
 
 double magnitude(const firmware::Triple& v) {
   return Vec3(v[0], v[1], v[2]).norm();

@@ -11,7 +11,7 @@
 namespace tactus::host {
 
 // How many flags a touch can raise (rendering::kTouch...).
-inline constexpr std::size_t kTouchFlagCount = 6;
+inline constexpr std::size_t kTouchFlagCount = 7;
 
 // Counts and extremes over all ticks of a run.
 struct RunSummary {

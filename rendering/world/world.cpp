@@ -164,7 +164,10 @@ void World::step_bodies(std::span<Touch> touches) {
     grips[i] = slot(i).touch.grips();
   }
   bodies_.step(scene_, std::span(grips).first(tool_count_));
+  const std::uint32_t flags =
+      bodies_.bodies().has_left_out_contacts() ? kTouchBodyContactsOverflow : kTouchClean;
   for (std::size_t i = 0; i < std::min(touches.size(), tool_count_); ++i) {
+    touches[i].flags |= flags;
     if (grips[i].count > 0) {
       touches[i].force_W = grips[i].with_bodies(touches[i].force_W);
     }

@@ -179,5 +179,34 @@ TEST_F(Grasp, SwingsAboutTheFingersAsAPendulum) {
   EXPECT_NEAR(period_s, expected_s, 0.01 * expected_s);
 }
 
+// Every pair of cubes at one place is a contact. A tool far away has the flag, too: it is told what
+// becomes of the world.
+TEST(BodyContacts, BeyondTheCapacityAreToldToEveryTool) {
+  for (const std::uint32_t count : {16U, 17U}) {
+    const std::size_t contacts = std::size_t{count} * (count - 1) / 2;
+    const std::vector<ObjectBody> bodies(
+        count, {.mass = {.mass_kg = 0.1, .inertia_C = 1e-5 * Mat3::Identity()}});
+    std::vector<Object> cubes(count);
+    for (std::uint32_t i = 0; i < count; ++i) {
+      cubes[i].surface = SurfaceKind::primitive;
+      cubes[i].primitive = {
+          .kind = PrimitiveKind::box, .X_WO = {}, .dimensions_m = {0.01, 0.01, 0.01}};
+      cubes[i].moves = true;
+      cubes[i].body = i;
+    }
+    const auto world = std::make_unique<WorldOf<2>>();
+    ASSERT_TRUE(world->set_scene(cubes, {.tool_count = 2, .bodies = bodies}));
+    std::array<ToolState, 2> tools;
+    tools[0].p_W = Vec3(0.5, 0.0, 0.0);
+    tools[1].p_W = Vec3(0.0, 0.5, 0.0);
+    std::array<Touch, 2> touches;
+    world->touch(tools, touches);
+    const std::uint32_t expected =
+        contacts > kMaxBodyContacts ? kTouchBodyContactsOverflow : kTouchClean;
+    EXPECT_EQ(touches[0].flags, expected) << contacts;
+    EXPECT_EQ(touches[1].flags, expected) << contacts;
+  }
+}
+
 }  // namespace
 }  // namespace tactus::rendering
