@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # Installs the Debian packages of one or more groups of toolchains/packages.txt.
 #   toolchains/install-packages.sh demo tests
+#   toolchains/install-packages.sh --list board     prints the names, and installs nothing
 # Does nothing where all are there; else needs root or sudo. A package marked /backports comes from bookworm-backports, which
 # is asked for this installation only where the machine does not list it.
 set -euo pipefail
@@ -9,12 +10,19 @@ list="$(dirname "${BASH_SOURCE[0]}")/packages.txt"
 
 groups() { sed -n 's/^\[\(.*\)\].*/\1/p' "$list"; }
 
+# Prints the packages of a group, and of those that stand behind its name.
 packages_of() {
+  local line others other current=
   sed -e 's/#.*//' -e 's/[[:space:]]*$//' "$list" |
-    while read -r line; do
+    while read -r line others; do
       case "$line" in
         "") ;;
-        \[*\]) current="$line" ;;
+        \[*\])
+          current="$line"
+          for other in $others; do
+            if [[ "$current" == "[$1]" ]]; then packages_of "${other#+}"; fi
+          done
+          ;;
         *) if [[ "$current" == "[$1]" ]]; then echo "$line"; fi ;;
       esac
     done
@@ -58,11 +66,16 @@ sources_with_backports() {
 install_packages() { apt_get update && apt_get install --yes --no-install-recommends "${@/%\/backports/\/bookworm-backports}"; }
 
 if [[ $# -eq 0 || "$1" == "--help" ]]; then
-  echo "usage: ${BASH_SOURCE[0]} GROUP..."
+  echo "usage: ${BASH_SOURCE[0]} [--list] GROUP..."
   echo "groups: $(groups | paste -sd' ')"
   exit $(($# == 0 ? 2 : 0))
 fi
 
+wanted=install
+if [[ "$1" == --list ]]; then
+  wanted=list
+  shift
+fi
 missing=()
 for group in "$@"; do
   if ! groups | grep -qxF -- "$group"; then
@@ -70,10 +83,15 @@ for group in "$@"; do
     exit 2
   fi
   for package in $(packages_of "$group"); do
+    if [[ "$wanted" == list ]]; then
+      echo "$package"
+      continue
+    fi
     is_installed "$package" || missing+=("$package")
   done
 done
 
+if [[ "$wanted" == list ]]; then exit 0; fi
 if [[ ${#missing[@]} -eq 0 ]]; then
   echo "packages for $*: all installed"
   exit 0

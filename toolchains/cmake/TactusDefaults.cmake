@@ -10,14 +10,14 @@ if(NOT CMAKE_BUILD_TYPE)
   set(CMAKE_BUILD_TYPE Release)
 endif()
 
-# The host tools belong to this machine; tests run on it or in an emulator of the other one.
+# The host tools need an operating system; tests run on this machine or in an emulator of the other one.
 set(TACTUS_HOSTED ON)
 set(TACTUS_RUNS_HERE ON)
-if(CMAKE_CROSSCOMPILING)
+if(CMAKE_SYSTEM_NAME STREQUAL "Generic")
   set(TACTUS_HOSTED OFF)
-  if(NOT CMAKE_CROSSCOMPILING_EMULATOR)
-    set(TACTUS_RUNS_HERE OFF)
-  endif()
+endif()
+if(CMAKE_CROSSCOMPILING AND NOT CMAKE_CROSSCOMPILING_EMULATOR)
+  set(TACTUS_RUNS_HERE OFF)
 endif()
 
 include(GNUInstallDirs)

@@ -1,0 +1,9 @@
+# 32-bit Arm boards under Linux, ARMv7 and later: a Raspberry Pi 2 or a BeagleBone, or a newer board with a 32-bit system.
+set(CMAKE_SYSTEM_PROCESSOR armv7)
+set(TACTUS_TRIPLET arm-linux-gnueabihf)
+set(TACTUS_DEBIAN_ARCHITECTURE armhf)
+set(TACTUS_EMULATOR qemu-arm-static)
+# Debian's own choice, which every ARMv7 runs: scalar double-precision arithmetic by the standard, without a fused multiply-add.
+# -Wno-psabi: notes that GCC 6 passed some structures otherwise; no object here is that old.
+set(CMAKE_CXX_FLAGS_INIT "-march=armv7-a+fp -mthumb -mfloat-abi=hard -Wno-psabi")
+include("${CMAKE_CURRENT_LIST_DIR}/cmake/TactusLinuxBoard.cmake")
