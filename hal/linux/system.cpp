@@ -8,8 +8,11 @@
 
 namespace tactus::hal {
 
+// A 32-bit board's seconds have 32 bits; its clock, which begins at the start, does not reach their
+// end.
 timespec to_timespec(TimeNs time_ns) {
-  return {.tv_sec = time_ns / kNsPerSecond, .tv_nsec = time_ns % kNsPerSecond};
+  return {.tv_sec = static_cast<decltype(timespec::tv_sec)>(time_ns / kNsPerSecond),
+          .tv_nsec = static_cast<decltype(timespec::tv_nsec)>(time_ns % kNsPerSecond)};
 }
 
 TimeNs to_ns(const timespec& time) {

@@ -95,7 +95,7 @@ struct ExplainedIteration {
 
 // One tick of one tool.
 struct ExplainedTick {
-  std::size_t number = 0;
+  std::uint64_t number = 0;
   double t_s = 0.0;
   Vec3 tool_W = Vec3::Zero();
   // The proxy before the tick.

@@ -97,7 +97,7 @@ void Explainer::begin() {
   timer_.begin();
 }
 
-const ExplainedTick& Explainer::finish(std::size_t number, double t_s, const Vec3& tool_W,
+const ExplainedTick& Explainer::finish(std::uint64_t number, double t_s, const Vec3& tool_W,
                                        const rendering::Touch& touch,
                                        const firmware::StageTimes& stage_ns) {
   tick_.number = number;

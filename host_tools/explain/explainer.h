@@ -24,7 +24,7 @@ class Explainer final : public rendering::TickWatcher {
   void begin();
   // Returns the explained tick, valid until the next begin(), with its number, its time (s) and the
   // tool (world frame, m). The stages have the times of the steps outside of the touch.
-  const ExplainedTick& finish(std::size_t number, double t_s, const Vec3& tool_W,
+  const ExplainedTick& finish(std::uint64_t number, double t_s, const Vec3& tool_W,
                               const rendering::Touch& touch,
                               const firmware::StageTimes& stage_ns = {});
 

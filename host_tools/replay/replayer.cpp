@@ -66,8 +66,8 @@ struct FieldComparison {
     // offset leads to the same field of the other.
     const auto offset =
         reinterpret_cast<const std::byte*>(&here) - reinterpret_cast<const std::byte*>(&recorded);
-    const auto& there =
-        *reinterpret_cast<const Value*>(reinterpret_cast<const std::byte*>(&replayed) + offset);
+    const void* const place = reinterpret_cast<const std::byte*>(&replayed) + offset;
+    const auto& there = *static_cast<const Value*>(place);
     if (!first && !name.name.starts_with("stage_ns")) {
       compare(std::string(name.name), here, there);
     }

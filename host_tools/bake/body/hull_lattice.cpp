@@ -6,8 +6,30 @@
 namespace tactus::host {
 namespace {
 
-// Differences of coordinates have 27 bits and a sign, and a determinant of three of them 84.
-__extension__ using Wide = __int128;
+// A sum of products of a minor and a difference, exact in 64-bit numbers, which every processor
+// has. Differences of coordinates have 27 bits and a sign, minors of two of them 55, and a
+// determinant 84: so a minor is taken in two parts.
+class WideSum {
+ public:
+  void add(std::int64_t minor, std::int64_t difference) {
+    upper_ += (minor >> kLowerBits) * difference;
+    lower_ += (minor & kLowerMask) * difference;
+  }
+
+  // Returns 1, 0 or -1.
+  [[nodiscard]] int sign() const {
+    const std::int64_t upper = upper_ + (lower_ >> kLowerBits);
+    const std::int64_t rest = lower_ & kLowerMask;
+    return upper != 0 ? (upper > 0 ? 1 : -1) : (rest != 0 ? 1 : 0);
+  }
+
+ private:
+  static constexpr int kLowerBits = 28;
+  static constexpr std::int64_t kLowerMask = (std::int64_t{1} << kLowerBits) - 1;
+
+  std::int64_t upper_ = 0;  // in units of 2^28
+  std::int64_t lower_ = 0;
+};
 
 constexpr double kHalfLattice = 67108864.0;  // 2^26
 
@@ -40,10 +62,11 @@ int HullLattice::side(std::uint32_t a, std::uint32_t b, std::uint32_t c, std::ui
   const LatticePoint u = difference(points_[b], points_[a]);
   const LatticePoint v = difference(points_[c], points_[a]);
   const LatticePoint w = difference(points_[d], points_[a]);
-  const Wide sum = static_cast<Wide>(u[1] * v[2] - u[2] * v[1]) * w[0] +
-                   static_cast<Wide>(u[2] * v[0] - u[0] * v[2]) * w[1] +
-                   static_cast<Wide>(u[0] * v[1] - u[1] * v[0]) * w[2];
-  return sum > 0 ? 1 : (sum < 0 ? -1 : 0);
+  WideSum determinant;
+  determinant.add(u[1] * v[2] - u[2] * v[1], w[0]);
+  determinant.add(u[2] * v[0] - u[0] * v[2], w[1]);
+  determinant.add(u[0] * v[1] - u[1] * v[0], w[2]);
+  return determinant.sign();
 }
 
 }  // namespace tactus::host

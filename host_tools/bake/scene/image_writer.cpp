@@ -247,7 +247,7 @@ std::vector<std::byte> write_image(const BakedScene& scene) {
     throw InputError(fmt::format("the image would take {} MB, where 2147 fit; simplify the meshes",
                                  estimate / 1'000'000));
   }
-  FlatBufferBuilder builder(estimate);
+  FlatBufferBuilder builder(static_cast<std::size_t>(estimate));
   std::vector<Offset<image::Object>> objects;
   objects.reserve(scene.objects.size());
   for (const BakedObject& object : scene.objects) {

@@ -47,7 +47,7 @@ std::vector<std::uint32_t> first_at_same_place(std::span<const Float3> vertices)
   std::vector<std::uint32_t> table(slots, kNone);
   std::vector<std::uint32_t> first(vertices.size());
   for (std::uint32_t i = 0; i < vertices.size(); ++i) {
-    std::size_t slot = hash_position(vertices[i]) & (slots - 1);
+    std::size_t slot = static_cast<std::size_t>(hash_position(vertices[i])) & (slots - 1);
     while (table[slot] != kNone && vertices[table[slot]] != vertices[i]) {
       slot = (slot + 1) & (slots - 1);
     }
@@ -69,7 +69,7 @@ struct CellHash {
     for (const std::int64_t k : cell) {
       hash = mix(hash + static_cast<std::uint64_t>(k));
     }
-    return hash;
+    return static_cast<std::size_t>(hash);
   }
 };
 

@@ -17,6 +17,11 @@
 namespace tactus::firmware {
 namespace {
 
+// Returns a random index into an array of `count` entries.
+std::size_t index_below(std::size_t count, std::mt19937_64& generator) {
+  return static_cast<std::size_t>(generator() % count);
+}
+
 constexpr int kRuns = 40;
 constexpr int kTicks = 5000;
 
@@ -61,12 +66,12 @@ class RandomInputs {
     constexpr double kInfinity = std::numeric_limits<double>::infinity();
     const std::array<double, 5> bad = {kInfinity, -kInfinity,
                                        std::numeric_limits<double>::quiet_NaN(), 1e308, -1e308};
-    const std::size_t joint = generator_() % kJointCount;
+    const std::size_t joint = index_below(kJointCount, generator_);
     if (chance(0.001)) {
-      sample.position[joint] = bad[generator_() % bad.size()];
+      sample.position[joint] = bad[index_below(bad.size(), generator_)];
     }
     if (chance(0.001)) {
-      sample.velocity[joint] = bad[generator_() % bad.size()];
+      sample.velocity[joint] = bad[index_below(bad.size(), generator_)];
     }
     if (chance(0.002)) {
       sample.status = 1U << (generator_() % 8);
@@ -221,7 +226,7 @@ class RandomOperator {
  private:
   void set_something() {
     const auto& texts = kParameterTexts;
-    const ParameterPlace place{.parameter = texts[generator_() % texts.size()].parameter};
+    const ParameterPlace place{.parameter = texts[index_below(texts.size(), generator_)].parameter};
     const auto range = controller_.parameter(place);
     if (!range) {
       return;
@@ -240,8 +245,8 @@ class RandomOperator {
     if (chance(0.5)) {
       config.effects = field;
     }
-    static_cast<void>(
-        controller_.load_scene(floors_[generator_() % floors_.size()]->objects(), config));
+    static_cast<void>(controller_.load_scene(
+        floors_[index_below(floors_.size(), generator_)]->objects(), config));
   }
 
   std::mt19937_64 generator_;
