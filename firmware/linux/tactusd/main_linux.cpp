@@ -225,5 +225,9 @@ int main(int argc, char** argv) {
     tactus::firmware::print_usage(stdout);
     return tactus::firmware::kEnded;
   }
+  if (options.version) {
+    std::puts("tactusd " TACTUS_VERSION);
+    return tactus::firmware::kEnded;
+  }
   return tactus::firmware::start_and_run(options);
 }

@@ -145,6 +145,7 @@ void print_usage(std::FILE* file) {
       "  --allow-uncertified   load a scene that is stiffer than the device's certificate\n"
       "  --allow-uncommissioned  enable a device that tactus commission has not passed\n"
       "  --help\n"
+      "  --version\n"
       "\n"
       "Exit codes: 0 ended as asked, 1 a fault stopped the motors, 2 could not start.\n"
       "\n"
@@ -161,6 +162,10 @@ bool parse_options(int argc, const char* const* argv, Options& options) {
     const std::string_view argument = argv[i];
     if (argument == "--help" || argument == "-h") {
       options.help = true;
+      return true;
+    }
+    if (argument == "--version") {
+      options.version = true;
       return true;
     }
     if (argument == "--enable") {

@@ -57,6 +57,8 @@ struct Options {
   double rate_hz = 0.0;
   // True: print the usage and end.
   bool help = false;
+  // True: print the version and end.
+  bool version = false;
 };
 
 // Prints the usage with examples.
