@@ -12,7 +12,8 @@ stages=(
 all_stages=(
   "asan-ubsan        build_and_test.sh asan-ubsan test_programs"
   "tsan              threads.sh"
-  "aarch64           build_and_test.sh aarch64"
+  "aarch64           linux_board.sh aarch64 arm64 qemu-aarch64-static all"
+  "armhf             linux_board.sh armhf-quick armhf qemu-arm-static tactus tactusd firmware_tests"
   "cortex-m7         build.sh cortex-m7"
   "fuzz              fuzz.sh"
   "rig               rig.sh"
@@ -115,7 +116,7 @@ run_stage() {
 }
 
 groups=(demo tests)
-if [[ -n "$all" || -n "${TACTUS_SOAK:-}" || ${#only[@]} -gt 0 ]]; then groups+=(rig aarch64 cortex-m7); fi
+if [[ -n "$all" || -n "${TACTUS_SOAK:-}" || ${#only[@]} -gt 0 ]]; then groups+=(rig aarch64 armhf cortex-m7); fi
 toolchains/install-packages.sh "${groups[@]}"
 for stage in "${stages[@]}"; do
   read -r name script arguments <<<"$stage"

@@ -19,7 +19,7 @@ for run in "ramp falcon" "ramp woodenhaptics" "membrane cartesian" "tiles cartes
   record "$scene" "$device"
   echo "$scene, $device:"
   build/release/bin/tactus replay "$work/$scene.$device.mcap"
-  qemu-aarch64-static -L /usr/aarch64-linux-gnu build/aarch64/bin/replay_recording "$work/$scene.$device.mcap" | tee "$work/replayed"
+  qemu-aarch64-static -L build/sysroot/arm64 build/aarch64/bin/replay_recording "$work/$scene.$device.mcap" | tee "$work/replayed"
   grep -q '^[0-9]\{4,\} ticks: every hash equal$' "$work/replayed"
 done
 
