@@ -51,6 +51,10 @@ FileError open_regular_file(const char* path, FileDescriptor& file, std::size_t&
   if (status.st_size <= 0) {
     return kEmpty;
   }
+  // A 32-bit board has files that are larger than its memory.
+  if (!std::in_range<std::size_t>(status.st_size)) {
+    return cannot_read(EFBIG);
+  }
   size = static_cast<std::size_t>(status.st_size);
   file = std::move(opened);
   return {};
