@@ -192,7 +192,7 @@ TEST(BodyContacts, BeyondTheCapacityAreToldToEveryTool) {
       cubes[i].primitive = {
           .kind = PrimitiveKind::box, .X_WO = {}, .dimensions_m = {0.01, 0.01, 0.01}};
       cubes[i].moves = true;
-      cubes[i].body = i;
+      cubes[i].body = static_cast<std::uint8_t>(i);
     }
     const auto world = std::make_unique<WorldOf<2>>();
     ASSERT_TRUE(world->set_scene(cubes, {.tool_count = 2, .bodies = bodies}));
