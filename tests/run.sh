@@ -13,7 +13,6 @@ all_stages=(
   "asan-ubsan        build_and_test.sh asan-ubsan test_programs"
   "tsan              threads.sh"
   "aarch64           linux_board.sh aarch64 arm64 qemu-aarch64-static all"
-  "armhf             linux_board.sh armhf-quick armhf qemu-arm-static tactus tactusd firmware_tests"
   "cortex-m7         build.sh cortex-m7"
   "fuzz              fuzz.sh"
   "rig               rig.sh"
@@ -31,6 +30,7 @@ all_stages=(
 )
 soak_stages=(
   "alone             build.sh alone"
+  "armhf             linux_board.sh armhf-quick armhf qemu-arm-static tactus tactusd firmware_tests"
 )
 known_stages=("${stages[@]}" "${all_stages[@]}" "${soak_stages[@]}")
 
@@ -116,7 +116,8 @@ run_stage() {
 }
 
 groups=(demo tests)
-if [[ -n "$all" || -n "${TACTUS_SOAK:-}" || ${#only[@]} -gt 0 ]]; then groups+=(rig aarch64 armhf cortex-m7); fi
+if [[ -n "$all" || -n "${TACTUS_SOAK:-}" || ${#only[@]} -gt 0 ]]; then groups+=(rig aarch64 cortex-m7); fi
+if [[ -n "${TACTUS_SOAK:-}" || ${#only[@]} -gt 0 ]]; then groups+=(armhf); fi
 toolchains/install-packages.sh "${groups[@]}"
 for stage in "${stages[@]}"; do
   read -r name script arguments <<<"$stage"
