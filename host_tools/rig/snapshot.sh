@@ -2,7 +2,7 @@
 # Boots the emulated machine as far as a scenario begins, and keeps its state there: boot.sh goes on from it, which spares
 # each scenario the boot.
 #   host_tools/rig/snapshot.sh KERNEL_FOLDER INITRAMFS.cpio
-# The state goes to INITRAMFS.snapshot. TACTUS_SOAK has to be set as it will be for boot.sh, since the state has the kernel's command line.
+# The state goes to INITRAMFS.snapshot.
 set -euo pipefail
 # shellcheck source=host_tools/rig/machine.sh
 source "$(dirname "${BASH_SOURCE[0]}")/machine.sh"
