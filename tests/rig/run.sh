@@ -105,7 +105,6 @@ sed -e 's/^driver = .*/&\nestimate_stale_s = 0.1\nestimate_lost_s = 0.2/' -e '/^
 rm -f "$images/bunny00.off"
 
 host_tools/rig/initramfs.sh build/rig/kernel build/rig/initramfs.cpio "${programs[@]}" "$(command -v cyclictest)" "$(command -v strace)" tests/rig/scenarios:/rig "$images":/images
-host_tools/rig/snapshot.sh build/rig/kernel build/rig/initramfs.cpio
 
 # Prints the words of a scenario's line "# KEY: words".
 setting() { sed -n "s/^# $2: //p" "tests/rig/scenarios/$1.sh" | paste -sd' '; }
