@@ -87,7 +87,7 @@ done
 # emulated drives answer once a millisecond.
 for arm in 1 2 3; do
   awk -v first=$((3 * arm - 3)) '/^node_id/ { $3 += first; print; print "estimates = \"requested\"\nestimate_stale_s = 0.012\nestimate_lost_s = 0.03"; next } { print }' "$images/odrive_arm.toml" |
-    sed -e "s/^rate_hz = .*/rate_hz = 200\nmax_sample_age_us = 12000/" -e '0,/^name = .*/s//&\nread_limit_s = 0.0008/' >"$images/arm_$arm.toml"
+    sed -e "s/^rate_hz = .*/rate_hz = 160\nmax_sample_age_us = 12000/" -e '0,/^name = .*/s//&\nread_limit_s = 0.0008/' >"$images/arm_$arm.toml"
   "$build/bin/tactus" bake --quiet "$images/arm_$arm.toml" -o "$images/arm_$arm.tactus"
 done
 # Two Falcons, by their serial numbers.

@@ -52,7 +52,7 @@ run silent 4 --fault 1:silent@3.3
 [ $code -eq 1 ] || fail "silent: tactusd ended with $code"
 grep -q "joint 'upper arm'" /results/silent.log || fail "silent: no joint is named"
 grep -q 'arm_1.tactus is in mode fault' /results/silent.log || fail "silent: the first arm went on"
-# A tick of 5 ms finds the drive silent; every arm has lost its torque in the same one.
+# A tick finds the drive silent; every arm has lost its torque in the same one.
 bus_touch_check fault /results/silent.csv /results/silent.1.truth.csv 3 10 || exit 1
 bus_touch_check fault /results/silent.2.csv /results/silent.2.truth.csv 3 10 || exit 1
 bus_touch_check fault /results/silent.3.csv /results/silent.3.truth.csv 3 10 || exit 1
