@@ -12,7 +12,7 @@ stages=(
 all_stages=(
   "asan-ubsan        build_and_test.sh asan-ubsan test_programs"
   "tsan              threads.sh"
-  "aarch64           linux_board.sh aarch64 arm64 qemu-aarch64-static all"
+  "aarch64           build_and_test.sh aarch64 test_programs replay_recording tactusd"
   "cortex-m7         build.sh cortex-m7"
   "fuzz              fuzz.sh"
   "rig               rig.sh"
@@ -30,6 +30,7 @@ all_stages=(
 )
 soak_stages=(
   "alone             build.sh alone"
+  "aarch64-tools     linux_board.sh aarch64 arm64 qemu-aarch64-static all"
   "armhf             linux_board.sh armhf-quick armhf qemu-arm-static tactus tactusd firmware_tests"
 )
 known_stages=("${stages[@]}" "${all_stages[@]}" "${soak_stages[@]}")
