@@ -3,7 +3,6 @@
 #pragma once
 
 #include "rendering/bodies/solver_body.h"
-#include "rendering/geometry/pair.h"
 
 namespace tactus::rendering {
 
@@ -17,41 +16,6 @@ struct PushDirection {
   Vec6 answer_b = Vec6::Zero();
   // The mass that it pushes, kg, or the inertia that it turns, kg m^2.
   double mass = 0.0;
-};
-
-// A velocity of a solid in registers, while many impulses change it.
-class PairedVelocity {
- public:
-  explicit PairedVelocity(const Vec6& velocity)
-      : first_(pair_at(velocity.data())),
-        second_(pair_at(velocity.data() + 2)),
-        third_(pair_at(velocity.data() + 4)) {}
-
-  // Returns the product with an impulse and its torque.
-  [[nodiscard]] double dot(const Vec6& wrench) const {
-    const double* const p = wrench.data();
-    const Pair sum = pair_at(p) * first_ + pair_at(p + 2) * second_ + pair_at(p + 4) * third_;
-    return sum[0] + sum[1];
-  }
-
-  // Adds a multiple of an answer_to() an impulse.
-  void gain(double factor, const Vec6& answer) {
-    const double* const p = answer.data();
-    first_ += both(factor) * pair_at(p);
-    second_ += both(factor) * pair_at(p + 2);
-    third_ += both(factor) * pair_at(p + 4);
-  }
-
-  [[nodiscard]] Vec6 value() const {
-    Vec6 velocity;
-    velocity << first_[0], first_[1], second_[0], second_[1], third_[0], third_[1];
-    return velocity;
-  }
-
- private:
-  Pair first_;
-  Pair second_;
-  Pair third_;
 };
 
 // The two solids of a contact while impulses go between them. It changes copies of their
@@ -85,8 +49,8 @@ class MeetingSolids {
 
  private:
   bool pushes_a_;
-  PairedVelocity a_;
-  PairedVelocity b_;
+  PairedVec6 a_;
+  PairedVec6 b_;
 };
 
 // Computes the answers of the bodies as they are now.

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstddef>
-#include <cstring>
 
 #include <Eigen/Core>
 
@@ -33,25 +32,44 @@ inline Vec6 torque_wrench(const Vec3& torque_W) {
   return wrench;
 }
 
+// Such a vector in registers, while it is changed many times.
+class PairedVec6 {
+ public:
+  explicit PairedVec6(const Vec6& vector)
+      : first_(pair_at(vector.data())),
+        second_(pair_at(vector.data() + 2)),
+        third_(pair_at(vector.data() + 4)) {}
+
+  // Returns the product with another vector.
+  [[nodiscard]] double dot(const Vec6& other) const {
+    const double* const p = other.data();
+    const Pair sum = pair_at(p) * first_ + pair_at(p + 2) * second_ + pair_at(p + 4) * third_;
+    return sum[0] + sum[1];
+  }
+
+  // Adds a multiple of another vector.
+  void gain(double factor, const Vec6& other) {
+    const double* const p = other.data();
+    first_ += both(factor) * pair_at(p);
+    second_ += both(factor) * pair_at(p + 2);
+    third_ += both(factor) * pair_at(p + 4);
+  }
+
+  [[nodiscard]] Vec6 value() const {
+    Vec6 vector;
+    vector << first_[0], first_[1], second_[0], second_[1], third_[0], third_[1];
+    return vector;
+  }
+
+ private:
+  Pair first_;
+  Pair second_;
+  Pair third_;
+};
+
 // Returns the product of two such vectors.
 inline double dot(const Vec6& x, const Vec6& y) {
-  const double* const p = x.data();
-  const double* const q = y.data();
-  const Pair sum =
-      pair_at(p) * pair_at(q) + pair_at(p + 2) * pair_at(q + 2) + pair_at(p + 4) * pair_at(q + 4);
-  return sum[0] + sum[1];
-}
-
-// Adds a multiple of a vector to another one.
-inline void add(double factor, const Vec6& x, Vec6& sum) {
-  const double* const p = x.data();
-  double* const s = sum.data();
-  const Pair first = pair_at(s) + both(factor) * pair_at(p);
-  const Pair second = pair_at(s + 2) + both(factor) * pair_at(p + 2);
-  const Pair third = pair_at(s + 4) + both(factor) * pair_at(p + 4);
-  std::memcpy(s, &first, sizeof first);
-  std::memcpy(s + 2, &second, sizeof second);
-  std::memcpy(s + 4, &third, sizeof third);
+  return PairedVec6(y).dot(x);
 }
 
 // The velocities of a body in a sub-step. What nothing can push, an obstacle, has no mobility and
@@ -79,7 +97,11 @@ class SolverBody {
 
   // Changes the velocities by an impulse with its torque, or by a multiple of an answer_to() one.
   void accelerate(const Vec6& wrench) { velocity_ += answer_to(wrench); }
-  void gain(double factor, const Vec6& answer) { add(factor, answer, velocity_); }
+  void gain(double factor, const Vec6& answer) {
+    PairedVec6 velocity(velocity_);
+    velocity.gain(factor, answer);
+    velocity_ = velocity.value();
+  }
   void set_velocity(const Vec6& velocity) { velocity_ = velocity; }
 
   // Returns the impulse, with its torque, that has changed the velocities since the beginning of

@@ -19,8 +19,10 @@ class WideSum {
   // Returns 1, 0 or -1.
   [[nodiscard]] int sign() const {
     const std::int64_t upper = upper_ + (lower_ >> kLowerBits);
-    const std::int64_t rest = lower_ & kLowerMask;
-    return upper != 0 ? (upper > 0 ? 1 : -1) : (rest != 0 ? 1 : 0);
+    if (upper < 0) {
+      return -1;
+    }
+    return upper > 0 || (lower_ & kLowerMask) > 0 ? 1 : 0;
   }
 
  private:

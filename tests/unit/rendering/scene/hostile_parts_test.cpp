@@ -44,14 +44,11 @@ host::BakedScene scene_of_parts() {
   return scene;
 }
 
-// The error after a change to the second part of the second body.
+// Returns the error after a change to the second part of the second body.
 SceneError error_of_part(const std::function<void(host::BakedPart&)>& change) {
   host::BakedScene scene = scene_of_parts();
   change(scene.objects[1].body->parts[1]);
-  const std::vector<std::byte> bytes = host::write_image(scene);
-  const auto image = SceneImage::open(bytes);
-  EXPECT_FALSE(image.has_value());
-  return image ? SceneError{} : image.error();
+  return testing::error_of(scene);
 }
 
 TEST(HostileParts, ThatAreSoundAreRead) {

@@ -10,17 +10,12 @@
 namespace tactus::rendering {
 namespace {
 
+using testing::error_of;
 using testing::small_scene;
 
 bool operator==(const BvhNode& a, const BvhNode& b) {
   return a.lower == b.lower && a.first == b.first && a.upper == b.upper &&
          a.triangle_count == b.triangle_count;
-}
-
-SceneError error_of(std::span<const std::byte> bytes) {
-  const auto image = SceneImage::open(bytes);
-  EXPECT_FALSE(image.has_value());
-  return image ? SceneError{} : image.error();
 }
 
 template <class Field>

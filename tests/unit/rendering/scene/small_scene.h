@@ -1,6 +1,8 @@
 // A scene of two tetrahedra, small enough to damage in every way there is.
 #pragma once
 
+#include <gtest/gtest.h>
+
 #include <cstddef>
 #include <cstring>
 #include <span>
@@ -9,6 +11,7 @@
 #include "host_tools/bake/scene/image_writer.h"
 #include "host_tools/bake/scene/mesh_bake.h"
 #include "rendering/scene/image_format.h"
+#include "rendering/scene/scene_image.h"
 
 namespace tactus::testing {
 
@@ -60,6 +63,16 @@ inline host::BakedScene detailed_scene() {
                              .tile_m = 0.01}};
   object.textures.texels.resize(21 + 9, 100);
   return scene;
+}
+
+// Returns the error of an image that must be refused.
+inline rendering::SceneError error_of(std::span<const std::byte> bytes) {
+  const auto image = rendering::SceneImage::open(bytes);
+  EXPECT_FALSE(image.has_value());
+  return image ? rendering::SceneError{} : image.error();
+}
+inline rendering::SceneError error_of(const host::BakedScene& scene) {
+  return error_of(host::write_image(scene));
 }
 
 // Makes a changed image's checksum right again.
