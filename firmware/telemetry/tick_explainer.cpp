@@ -102,13 +102,13 @@ void TickExplainer::see_end(const rendering::MovingProxy& /*proxy*/, bool /*is_p
   held_by_ = hardest_;
 }
 
-void TickExplainer::see(const rendering::ObjectWatch& /*object*/,
+void TickExplainer::see(const rendering::WatchedObject& /*object*/,
                         const rendering::WatchedFormulaStep& /*step*/) {
   timer_.end(TickStep::proxy);
   ++explanation_.iterations;
 }
 
-void TickExplainer::see(const rendering::ObjectWatch& object,
+void TickExplainer::see(const rendering::WatchedObject& object,
                         const rendering::MeshFeature& feature) {
   timer_.end(TickStep::proxy);
   if (walks_ < walked_to_.size()) {
@@ -117,7 +117,7 @@ void TickExplainer::see(const rendering::ObjectWatch& object,
   timer_.skip();
 }
 
-void TickExplainer::see(const rendering::ObjectWatch& object,
+void TickExplainer::see(const rendering::WatchedObject& object,
                         const rendering::WatchedSegment& segment) {
   timer_.end(TickStep::collision);
   ++explanation_.moves;

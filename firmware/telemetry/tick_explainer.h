@@ -27,10 +27,11 @@ class TickExplainer final : public rendering::TickWatcher {
   void see_step(rendering::TickStep step) override { timer_.end(step); }
   void see(const rendering::WatchedSubGoal& sub_goal) override;
   void see_end(const rendering::MovingProxy& proxy, bool is_put_back) override;
-  void see(const rendering::ObjectWatch& object,
+  void see(const rendering::WatchedObject& object,
            const rendering::WatchedFormulaStep& step) override;
-  void see(const rendering::ObjectWatch& object, const rendering::MeshFeature& feature) override;
-  void see(const rendering::ObjectWatch& object, const rendering::WatchedSegment& segment) override;
+  void see(const rendering::WatchedObject& object, const rendering::MeshFeature& feature) override;
+  void see(const rendering::WatchedObject& object,
+           const rendering::WatchedSegment& segment) override;
 
  private:
   // A feature and the point of its surface that is nearest to the proxy.

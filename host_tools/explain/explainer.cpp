@@ -177,7 +177,7 @@ void Explainer::end_move(const Vec3& p_W, bool is_put_back) {
   is_moving_ = false;
 }
 
-void Explainer::see(const rendering::ObjectWatch& object,
+void Explainer::see(const rendering::WatchedObject& object,
                     const rendering::WatchedFormulaStep& step) {
   timer_.end(TickStep::proxy);
   const rendering::ImplicitSurface& surface = step.surface;
@@ -201,13 +201,13 @@ void Explainer::see(const rendering::ObjectWatch& object,
   timer_.skip();
 }
 
-void Explainer::see(const rendering::ObjectWatch& object, const rendering::MeshFeature& feature) {
+void Explainer::see(const rendering::WatchedObject& object, const rendering::MeshFeature& feature) {
   timer_.end(TickStep::proxy);
   tick_.walked_to.push_back(feature_of(object, feature));
   timer_.skip();
 }
 
-void Explainer::see(const rendering::ObjectWatch& object,
+void Explainer::see(const rendering::WatchedObject& object,
                     const rendering::WatchedSegment& segment) {
   timer_.end(TickStep::collision);
   const auto to_world = [&](const Vec3& p_O) { return rendering::point_from(object.mover, p_O); };

@@ -40,6 +40,10 @@ class ImplicitFriction {
     lag_O_ = before_.lag_O;
   }
 
+  // Returns the friction state of the touch: free on a surface without friction.
+  [[nodiscard]] FrictionState seen(const ImplicitProxyState& state) const {
+    return has_friction(material_.friction) ? state.friction : FrictionState::free;
+  }
   // Returns the lag of the tool that a friction model asks for, object frame; zero otherwise.
   [[nodiscard]] const Vec3& lag_O() const { return lag_O_; }
 

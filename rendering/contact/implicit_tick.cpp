@@ -30,6 +30,7 @@
 #include "rendering/contact/implicit_planes.h"
 #include "rendering/contact/implicit_segment.h"
 #include "rendering/contact/implicit_stall.h"
+#include "rendering/contact/tick_watcher.h"
 #include "rendering/limits.h"
 
 namespace tactus::rendering {
@@ -54,10 +55,11 @@ class ImplicitTick {
         field_(surface, 1.0, budget),
         friction_(material) {}
 
-  // Runs the tick. `see` is given the proxy's place before each sub-goal, after the sub-goal.
-  template <class See>
-  ImplicitRest run(const See& see);
+  // Runs the tick. `watch` sees each sub-goal after it.
+  template <class Watch>
+  ImplicitRest run(const Watch& watch);
 
+ private:
   // Returns what a watcher is shown of the sub-goal that began at `from_O`.
   [[nodiscard]] WatchedFormulaStep watched(const Vec3& from_O) const {
     return {.surface = surface_,
@@ -66,11 +68,10 @@ class ImplicitTick {
             .goal_O = goal_.point,
             .to_O = state_.p_O,
             .planes = rest_.planes,
-            .friction = state_.friction,
+            .friction = friction_.seen(state_),
             .flags = rest_.flags};
   }
 
- private:
   // Runs one sub-goal. Returns true when the tick is over, as pass_outside, come_out and go do.
   bool step();
   bool step_in_bounds();
@@ -135,13 +136,15 @@ class ImplicitTick {
 
 // Repeats sub-goals until the tick is over. After a stall the proxy stays where it was nearest to
 // the tool, and not where the last swing left it.
-template <class See>
-ImplicitRest ImplicitTick::run(const See& see) {
+template <class Watch>
+ImplicitRest ImplicitTick::run(const Watch& watch) {
   const std::size_t budget = field_.left();
   for (bool is_over = false; !is_over;) {
-    const Vec3 from_O = state_.p_O;
+    [[maybe_unused]] const Vec3 from_O = state_.p_O;
     is_over = step();
-    see(from_O);
+    if constexpr (Watch::kSees) {
+      watch.see(watched(from_O));
+    }
     if (!is_over) {
       ++rest_.sub_goals;
     }
@@ -320,18 +323,17 @@ bool ImplicitTick::come_to_rest_at(const Vec3& stop) {
 
 }  // namespace
 
+template <class Watch>
 ImplicitRest run_implicit_tick(ImplicitProxyState& state, const ImplicitSurface& surface,
                                const Material& material, const Vec3& h_O, std::size_t budget,
-                               const ObjectWatch& watch) {
+                               Watch watch) {
   ImplicitTick tick(state, surface, material, h_O, budget);
-  if (watch.watcher == nullptr) {
-    return tick.run([](const Vec3& /*from_O*/) {});
-  }
-  return tick.run([&](const Vec3& from_O) {
-    WatchedFormulaStep step = tick.watched(from_O);
-    step.friction = has_friction(material.friction) ? step.friction : FrictionState::free;
-    watch.watcher->see(watch, step);
-  });
+  return tick.run(watch);
 }
+
+template ImplicitRest run_implicit_tick(ImplicitProxyState&, const ImplicitSurface&,
+                                        const Material&, const Vec3&, std::size_t, Unwatched);
+template ImplicitRest run_implicit_tick(ImplicitProxyState&, const ImplicitSurface&,
+                                        const Material&, const Vec3&, std::size_t, ObjectWatched);
 
 }  // namespace tactus::rendering

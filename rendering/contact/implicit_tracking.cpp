@@ -1,6 +1,7 @@
 #include "rendering/contact/implicit_tracking.h"
 
 #include "rendering/contact/implicit_tick.h"
+#include "rendering/contact/tick_watcher.h"
 
 namespace tactus::rendering {
 
@@ -10,9 +11,9 @@ void ImplicitTracker::place(const Vec3& p_W) {
   state_ = {};
 }
 
+template <class Watch>
 ImplicitRest ImplicitTracker::advance(const ImplicitSurface& surface, const Material& material,
-                                      const Vec3& h_W, std::size_t budget,
-                                      const ObjectWatch& watch) {
+                                      const Vec3& h_W, std::size_t budget, Watch watch) {
   ImplicitRest rest;
   if (!(h_W.cwiseAbs().maxCoeff<Eigen::PropagateNaN>() <= kWorldBound_m)) {
     rest.proxy_W = p_W_;
@@ -30,5 +31,10 @@ ImplicitRest ImplicitTracker::advance(const ImplicitSurface& surface, const Mate
   rest.depth_m = rest.planes > 0 ? (p_W_ - h_W).dot(rest.normal_W) : 0.0;
   return rest;
 }
+
+template ImplicitRest ImplicitTracker::advance(const ImplicitSurface&, const Material&, const Vec3&,
+                                               std::size_t, Unwatched);
+template ImplicitRest ImplicitTracker::advance(const ImplicitSurface&, const Material&, const Vec3&,
+                                               std::size_t, ObjectWatched);
 
 }  // namespace tactus::rendering

@@ -7,7 +7,7 @@
 #include <cstdint>
 
 #include "rendering/contact/crease_walls.h"
-#include "rendering/contact/object_watch.h"
+#include "rendering/contact/tick_watch.h"
 #include "rendering/friction/surface_friction.h"
 #include "rendering/geometry/vector.h"
 #include "rendering/limits.h"
@@ -63,8 +63,9 @@ class ImplicitTracker {
   // thin the surface is. Each move brings it nearer to the tool, so it cannot oscillate. A tool
   // that is not finite or beyond kWorldBound_m leaves the proxy where it is. Real time: no heap,
   // at most `budget` formula instructions evaluated. `watch` sees the sub-goals.
+  template <class Watch = Unwatched>
   ImplicitRest advance(const ImplicitSurface& surface, const Material& material, const Vec3& h_W,
-                       std::size_t budget = kMaxFormulaBudget, const ObjectWatch& watch = {});
+                       std::size_t budget = kMaxFormulaBudget, Watch watch = {});
 
   // Returns the proxy's position after the last tick; world frame, m.
   [[nodiscard]] const Vec3& position_W() const { return p_W_; }

@@ -9,14 +9,11 @@
 
 namespace tactus::rendering {
 
-class TickWatcher;
-
 // The goal of a tick, and the surfaces on the path to it.
 struct ProxyMove {
   const NearbySurfaces& near;
   const FrictionFactors& factors;
-  const Vec3& h_W;       // the tool; world frame, m
-  TickWatcher* watcher;  // sees the moves if it is not null
+  const Vec3& h_W;  // the tool; world frame, m
 };
 
 // The proxy, which the steps move on.

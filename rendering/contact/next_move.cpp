@@ -9,21 +9,10 @@
 
 namespace tactus::rendering {
 
-NextMove MoveFinder::find(const ProxyMove& tick, const MovingProxy& proxy,
-                          PlaneCollector& collector, bool is_stalling) {
-  return find_with(tick, proxy, collector, is_stalling, [](TickStep) {});
-}
-
-NextMove MoveFinder::find_watched(const ProxyMove& tick, const MovingProxy& proxy,
-                                  PlaneCollector& collector, bool is_stalling) {
-  return find_with(tick, proxy, collector, is_stalling,
-                   [&](TickStep step) { tick.watcher->see_step(step); });
-}
-
 // The loop ends after kMaxContactPlanes + 1 sweeps.
-template <class Ends>
-NextMove MoveFinder::find_with(const ProxyMove& tick, const MovingProxy& proxy,
-                               PlaneCollector& collector, bool is_stalling, const Ends& ends) {
+template <class Watch>
+NextMove MoveFinder::find(const ProxyMove& tick, const MovingProxy& proxy,
+                          PlaneCollector& collector, bool is_stalling, Watch watch) {
   auto& [state, planes, rest] = proxy;
   const Vec3& p = state.p_W;
   NextMove move;
@@ -31,7 +20,7 @@ NextMove MoveFinder::find_with(const ProxyMove& tick, const MovingProxy& proxy,
   bool has_recalled = false;
   for (;;) {
     move.goal = sub_goals_.choose(tick, proxy);
-    ends(TickStep::proxy);
+    watch.see_step(TickStep::proxy);
     const SubGoal& goal = move.goal;
     if (!has_recalled && !goal.settled && !goal.lengthened &&
         (constraints_.would_cycle(p, goal.point, tick.h_W) || is_stalling) &&
@@ -45,7 +34,7 @@ NextMove MoveFinder::find_with(const ProxyMove& tick, const MovingProxy& proxy,
       return move;
     }
     move.sweep = sweep_toward(tick.near, p, goal.point, rest, constraints_);
-    ends(TickStep::collision);
+    watch.see_step(TickStep::collision);
     if (const FirstHit& hit = move.sweep.beyond; hit.object != kNoObject) {
       // The contact of this tick, should it end before the object is measured there.
       state.last_contact = {.object = hit.object, .triangle = hit.triangle};
@@ -56,7 +45,7 @@ NextMove MoveFinder::find_with(const ProxyMove& tick, const MovingProxy& proxy,
     }
     if (const auto raised = collector.place_above_seam(blocked_by, planes)) {
       const SweepResult rise = sweep_toward(tick.near, p, *raised, rest, constraints_);
-      ends(TickStep::collision);
+      watch.see_step(TickStep::collision);
       if (rise.arrived) {
         return {.goal = {.point = *raised, .tool = goal.tool}, .sweep = rise};
       }
@@ -66,5 +55,10 @@ NextMove MoveFinder::find_with(const ProxyMove& tick, const MovingProxy& proxy,
     }
   }
 }
+
+template NextMove MoveFinder::find(const ProxyMove&, const MovingProxy&, PlaneCollector&, bool,
+                                   Unwatched);
+template NextMove MoveFinder::find(const ProxyMove&, const MovingProxy&, PlaneCollector&, bool,
+                                   Watched);
 
 }  // namespace tactus::rendering

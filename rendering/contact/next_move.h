@@ -20,12 +20,11 @@ struct NextMove {
 class MoveFinder {
  public:
   // Returns the next move. `collector` adds the planes that it needs at the proxy. `is_stalling`
-  // says that the moves may go round in a cycle (Descent::is_stalling).
+  // says that the moves may go round in a cycle (Descent::is_stalling). `watch` sees the choices
+  // and the sweeps as steps of the tick.
+  template <class Watch>
   NextMove find(const ProxyMove& tick, const MovingProxy& proxy, PlaneCollector& collector,
-                bool is_stalling);
-  // The same for a tick with a watcher, which sees the choices and the sweeps as steps of the tick.
-  NextMove find_watched(const ProxyMove& tick, const MovingProxy& proxy, PlaneCollector& collector,
-                        bool is_stalling);
+                bool is_stalling, Watch watch);
 
   // Takes note that the proxy moves from p (world frame, m) to `goal`. The planes of `rest` held
   // it; those of a lengthened move are left behind and not remembered.
@@ -41,11 +40,6 @@ class MoveFinder {
   [[nodiscard]] const ConstraintMemory& constraints() const { return constraints_; }
 
  private:
-  // Finds the move. `ends(step)` is called where a part of the step has ended.
-  template <class Ends>
-  NextMove find_with(const ProxyMove& tick, const MovingProxy& proxy, PlaneCollector& collector,
-                     bool is_stalling, const Ends& ends);
-
   ConstraintMemory constraints_;
   SubGoalChooser sub_goals_;
 };

@@ -5,6 +5,7 @@
 #include "rendering/contact/active_constraints.h"
 #include "rendering/contact/carry_along.h"
 #include "rendering/contact/proxy_tick.h"
+#include "rendering/contact/tick_watcher.h"
 
 namespace tactus::rendering {
 
@@ -68,26 +69,28 @@ void SphereProxy::begin_friction(const Vec3& from_W, const Vec3& to_W, double ti
   turned_W_ = Mat3::Identity();
 }
 
-ProxyRest SphereProxy::advance(const SceneObjects& scene, const Vec3& h_W, TickWatcher* watcher) {
+template <class Watch>
+ProxyRest SphereProxy::advance(const SceneObjects& scene, const Vec3& h_W, Watch watch) {
   start_ = state_;
   update_left_out(scene);
-  return approach(scene, h_W, watcher);
+  return approach(scene, h_W, watch);
 }
 
 // The candidates stay, with the tangents of their measurements, so a repetition costs less than the
 // first advance; its distances are measured again.
-ProxyRest SphereProxy::advance_again(const SceneObjects& scene, const Vec3& h_W,
-                                     TickWatcher* watcher) {
+template <class Watch>
+ProxyRest SphereProxy::advance_again(const SceneObjects& scene, const Vec3& h_W, Watch watch) {
   state_ = start_;
   candidate_set_.move_to(state_.p_W);
-  return approach(scene, h_W, watcher);
+  return approach(scene, h_W, watch);
 }
 
-ProxyRest SphereProxy::approach(const SceneObjects& scene, const Vec3& h_W, TickWatcher* watcher) {
+template <class Watch>
+ProxyRest SphereProxy::approach(const SceneObjects& scene, const Vec3& h_W, Watch watch) {
   const NearbySurfaces near{.scene = scene, .margins = margins_, .candidates = candidate_set_};
   ProxyRest rest;
-  run_sub_goals({.near = near, .factors = factors_, .h_W = h_W, .watcher = watcher},
-                {.state = state_, .planes = planes_, .rest = rest});
+  run_sub_goals({.near = near, .factors = factors_, .h_W = h_W},
+                {.state = state_, .planes = planes_, .rest = rest}, watch);
   // A tick that ended in the middle of its path may have no plane, yet the surface still pushes the
   // hand.
   constexpr std::uint32_t kUnfinished = kTouchIterationsExhausted | kTouchCandidatesOverflow;
@@ -117,5 +120,10 @@ void SphereProxy::update_left_out(const SceneObjects& scene) {
     candidate_set_.clear();
   }
 }
+
+template ProxyRest SphereProxy::advance(const SceneObjects&, const Vec3&, Unwatched);
+template ProxyRest SphereProxy::advance(const SceneObjects&, const Vec3&, Watched);
+template ProxyRest SphereProxy::advance_again(const SceneObjects&, const Vec3&, Unwatched);
+template ProxyRest SphereProxy::advance_again(const SceneObjects&, const Vec3&, Watched);
 
 }  // namespace tactus::rendering

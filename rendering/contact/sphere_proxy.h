@@ -18,8 +18,6 @@
 
 namespace tactus::rendering {
 
-class TickWatcher;
-
 // The proxy of one tool, shared by all objects of the methods sphere_proxy and god_object. World
 // frame.
 class SphereProxy {
@@ -45,12 +43,14 @@ class SphereProxy {
   void begin_friction(const Vec3& from_W, const Vec3& to_W, double tick_s);
 
   // Moves the proxy as near to the tool position h_W (world frame, m, finite) as surfaces and
-  // friction allow. `watcher` sees the moves if it is not null. Bounded time, no heap.
-  ProxyRest advance(const SceneObjects& scene, const Vec3& h_W, TickWatcher* watcher);
+  // friction allow. `watch` sees the moves (tick_watch.h). Bounded time, no heap.
+  template <class Watch>
+  ProxyRest advance(const SceneObjects& scene, const Vec3& h_W, Watch watch);
 
   // Repeats the last advance from the same start toward another goal. Friction takes the state of
   // the repetition only. The cost of both counts for the tick.
-  ProxyRest advance_again(const SceneObjects& scene, const Vec3& h_W, TickWatcher* watcher);
+  template <class Watch>
+  ProxyRest advance_again(const SceneObjects& scene, const Vec3& h_W, Watch watch);
 
   // Gathers candidates for the next tick if there is budget left. Call it last in a tick.
   void look_ahead(const SceneObjects& scene) {
@@ -88,7 +88,8 @@ class SphereProxy {
   static constexpr double kFarther = 1.5;
 
   // Moves the proxy and finds the contact of the tick.
-  ProxyRest approach(const SceneObjects& scene, const Vec3& h_W, TickWatcher* watcher);
+  template <class Watch>
+  ProxyRest approach(const SceneObjects& scene, const Vec3& h_W, Watch watch);
   void update_left_out(const SceneObjects& scene);
   void turn_with_contact(const SceneObjects& scene);
 

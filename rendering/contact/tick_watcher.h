@@ -7,14 +7,17 @@
 #include <cstdint>
 
 #include "rendering/contact/feature_walk.h"
-#include "rendering/contact/implicit_tracking.h"
 #include "rendering/contact/next_move.h"
-#include "rendering/contact/object_watch.h"
 #include "rendering/contact/textbook/first_facet.h"
+#include "rendering/contact/tick_watch.h"
 #include "rendering/limits.h"
+#include "rendering/surface/implicit_surface.h"
 #include "rendering/touch.h"
 
 namespace tactus::rendering {
+
+struct Mover;
+struct Object;
 
 // The steps of a haptic loop, in the lecture's order (CS 277, lecture 5). A tick takes steps 3 and
 // 4 once for every sub-goal, and moves the objects before the contacts.
@@ -28,6 +31,15 @@ enum class TickStep : std::uint8_t {
   objects,    // 7: moves the objects
 };
 inline constexpr std::size_t kTickStepCount = 7;
+
+// The object of an independent contact.
+struct WatchedObject {
+  // The number of the object in the scene, and the object itself.
+  std::uint32_t number = 0;
+  const Object* object = nullptr;
+  // The object's place if it moves; nullptr if it is fixed.
+  const Mover* mover = nullptr;
+};
 
 // A sub-goal of the shared proxy, chosen and swept but not moved to yet.
 struct WatchedSubGoal {
@@ -83,15 +95,52 @@ class TickWatcher {
   // tick.
   virtual void see_end(const MovingProxy& proxy, bool is_put_back) = 0;
   // A sub-goal on the implicit surface of `object` has ended.
-  virtual void see(const ObjectWatch& object, const WatchedFormulaStep& step) = 0;
+  virtual void see(const WatchedObject& object, const WatchedFormulaStep& step) = 0;
   // The feature walk on the mesh of `object` has ended its tick at this feature.
-  virtual void see(const ObjectWatch& object, const MeshFeature& feature) = 0;
+  virtual void see(const WatchedObject& object, const MeshFeature& feature) = 0;
   // The textbook's proxy on the mesh of `object` has tested a segment.
-  virtual void see(const ObjectWatch& object, const WatchedSegment& segment) = 0;
+  virtual void see(const WatchedObject& object, const WatchedSegment& segment) = 0;
 
  protected:
   TickWatcher() = default;
   ~TickWatcher() = default;
+};
+
+// The watch of an object in a tick that a watcher sees.
+class ObjectWatched {
+ public:
+  static constexpr bool kSees = true;
+
+  ObjectWatched(TickWatcher& watcher, const WatchedObject& object)
+      : watcher_(watcher), object_(object) {}
+
+  // Shows a WatchedFormulaStep, a MeshFeature or a WatchedSegment.
+  template <class Step>
+  void see(const Step& step) const {
+    watcher_.see(object_, step);
+  }
+
+ private:
+  TickWatcher& watcher_;
+  WatchedObject object_;
+};
+
+// The watch of a tick that a watcher sees.
+class Watched {
+ public:
+  static constexpr bool kSees = true;
+
+  explicit Watched(TickWatcher& watcher) : watcher_(watcher) {}
+
+  void see_step(TickStep step) const { watcher_.see_step(step); }
+  void see(const WatchedSubGoal& sub_goal) const { watcher_.see(sub_goal); }
+  void see_end(const MovingProxy& proxy, bool is_put_back) const {
+    watcher_.see_end(proxy, is_put_back);
+  }
+  [[nodiscard]] ObjectWatched of(const WatchedObject& object) const { return {watcher_, object}; }
+
+ private:
+  TickWatcher& watcher_;
 };
 
 // The places that the shared proxy reached in a tick's last advance, for tests and pictures:
@@ -101,9 +150,9 @@ class ProxyPath final : public TickWatcher {
   void see_step(TickStep /*step*/) override {}
   void see(const WatchedSubGoal& sub_goal) override { add(sub_goal.proxy, sub_goal.is_put_back); }
   void see_end(const MovingProxy& proxy, bool is_put_back) override { add(proxy, is_put_back); }
-  void see(const ObjectWatch& /*object*/, const WatchedFormulaStep& /*step*/) override {}
-  void see(const ObjectWatch& /*object*/, const MeshFeature& /*feature*/) override {}
-  void see(const ObjectWatch& /*object*/, const WatchedSegment& /*segment*/) override {}
+  void see(const WatchedObject& /*object*/, const WatchedFormulaStep& /*step*/) override {}
+  void see(const WatchedObject& /*object*/, const MeshFeature& /*feature*/) override {}
+  void see(const WatchedObject& /*object*/, const WatchedSegment& /*segment*/) override {}
 
   std::array<Vec3, kMaxSubGoals + 1> points;
   std::size_t count = 0;

@@ -30,7 +30,7 @@ ExplainedFeature feature_of(const SceneObjects& scene, const ContactPlane& plane
   return feature;
 }
 
-ExplainedFeature feature_of(const ObjectWatch& object, const MeshFeature& feature) {
+ExplainedFeature feature_of(const WatchedObject& object, const MeshFeature& feature) {
   const bool is_vertex = feature.kind == Feature::vertex;
   const MeshView& mesh = object.object->mesh;
   return {.object = object.number,
@@ -40,7 +40,7 @@ ExplainedFeature feature_of(const ObjectWatch& object, const MeshFeature& featur
           .vertex = is_vertex ? mesh.triangles[feature.triangle][feature.number] : 0};
 }
 
-ExplainedFeature feature_of(const ObjectWatch& object, const FacetHit& hit) {
+ExplainedFeature feature_of(const WatchedObject& object, const FacetHit& hit) {
   return {.object = object.number, .kind = ContactKind::face, .face = hit.triangle};
 }
 

@@ -8,7 +8,6 @@
 #include "rendering/contact/active_constraints.h"
 #include "rendering/contact/contact_planes.h"
 #include "rendering/contact/feature_walk.h"
-#include "rendering/contact/object_watch.h"
 #include "rendering/contact/tick_watcher.h"
 #include "rendering/touch.h"
 
@@ -33,10 +32,10 @@ ExplainedFeature feature_of(const SceneObjects& scene, const ContactPlane& plane
                             const Vec3& surface_W);
 
 // Returns the feature at which a walk has ended its tick.
-ExplainedFeature feature_of(const ObjectWatch& object, const MeshFeature& feature);
+ExplainedFeature feature_of(const WatchedObject& object, const MeshFeature& feature);
 
 // Returns the facet that a segment crosses.
-ExplainedFeature feature_of(const ObjectWatch& object, const FacetHit& hit);
+ExplainedFeature feature_of(const WatchedObject& object, const FacetHit& hit);
 
 // Returns the point of the plane's surface that is nearest to the proxy; world frame, m.
 inline Vec3 surface_of(const ContactPlane& plane, const Vec3& proxy_W) {

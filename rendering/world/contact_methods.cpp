@@ -120,8 +120,10 @@ double IndependentContacts::stretch_of(std::size_t k, const Object& object,
   return left_out_[k] ? 0.0 : std::max(0.0, field_push(object, tool_O, tool_radius_m_).depth_m);
 }
 
-Touch IndependentContacts::rest_in_frame(const IndependentObject& independent, const Vec3& goal_O) {
-  const auto& [k, object, own, moved_m, watch] = independent;
+template <class Watch>
+Touch IndependentContacts::rest_in_frame(const IndependentObject& independent, const Vec3& goal_O,
+                                         Watch watch) {
+  const auto& [k, object, own, moved_m] = independent;
   Material material = own;
   material.friction = scaled(material.friction, details_[k].friction_factor);
   switch (object.method) {
@@ -138,9 +140,7 @@ Touch IndependentContacts::rest_in_frame(const IndependentObject& independent, c
       const FeatureRest rest =
           proxies_[k].walker.advance(mesh_of(object), object.sides, material, goal_O,
                                      std::min(kMaxFeatureVisits, share_ / kCostOfFeatureVisit));
-      if (watch.watcher != nullptr) {
-        watch.watcher->see(watch, proxies_[k].walker.feature());
-      }
+      watch.see(proxies_[k].walker.feature());
       budget_.spend(kCostOfFeatureVisit * (std::size_t{rest.visited} + rest.approached));
       Touch touch = touch_of(rest);
       note_short_of_goal(goal_O, touch);
@@ -156,13 +156,14 @@ Touch IndependentContacts::rest_in_frame(const IndependentObject& independent, c
       budget_.spend(kCostOfField);
       return touch_of_field(k, object, goal_O);
     default:
-      return touch_by_textbook(independent, goal_O);
+      return touch_by_textbook(independent, goal_O, watch);
   }
 }
 
+template <class Watch>
 Touch IndependentContacts::touch_by_textbook(const IndependentObject& independent,
-                                             const Vec3& tool_O) {
-  const auto& [k, object, material, moved_m, watch] = independent;
+                                             const Vec3& tool_O, Watch watch) {
+  const auto& [k, object, material, moved_m] = independent;
   const TextbookRest rest = proxies_[k].textbook.advance(
       textbook_rule(object.method),
       {.mesh = object.mesh,
@@ -186,5 +187,9 @@ Touch IndependentContacts::touch_of_field(std::size_t k, const Object& object, c
   }
   return touch_of(push, tool_O);
 }
+
+template Touch IndependentContacts::rest_in_frame(const IndependentObject&, const Vec3&, Unwatched);
+template Touch IndependentContacts::rest_in_frame(const IndependentObject&, const Vec3&,
+                                                  ObjectWatched);
 
 }  // namespace tactus::rendering

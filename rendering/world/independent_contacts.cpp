@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "rendering/contact/no_pull.h"
+#include "rendering/contact/tick_watcher.h"
 #include "rendering/geometry/tangential.h"
 
 namespace tactus::rendering {
@@ -99,8 +100,9 @@ bool IndependentContacts::any_near(const SceneObjects& scene, const Vec3& p_W) c
 }
 
 // Every contact may spend an equal share of what those before it have left.
+template <class Watch>
 void IndependentContacts::add_to(Touch& touch, const SceneObjects& scene, const ToolState& tool,
-                                 std::size_t limit, TickWatcher* watcher) {
+                                 std::size_t limit, Watch watch) {
   budget_.begin_tick(limit);
   std::size_t to_come = count_near(scene, tool.p_W);
   tool_step_m_ = (tool.p_W - last_tool_W_).norm();
@@ -123,12 +125,9 @@ void IndependentContacts::add_to(Touch& touch, const SceneObjects& scene, const 
     proxies_[k].tracker.begin_friction(step_O, scene.tick_s());
     proxies_[k].walker.begin_friction(step_O, scene.tick_s());
     Touch own = touch_in_frame(
-        {.k = k,
-         .object = object,
-         .material = scene.material(number),
-         .moved_m = step_O.norm(),
-         .watch = {.watcher = watcher, .number = number, .object = &object, .mover = mover}},
-        in_frame(scene, number, tool));
+        {.k = k, .object = object, .material = scene.material(number), .moved_m = step_O.norm()},
+        in_frame(scene, number, tool),
+        watch.of({.number = number, .object = &object, .mover = mover}));
     to_world(mover, own);
     own.object = number;
     awake_[k] = near || own.contact != ContactKind::none;
@@ -197,9 +196,10 @@ void IndependentContacts::wake(std::size_t k, const Mover* mover) {
   awake_[k] = true;
 }
 
+template <class Watch>
 Touch IndependentContacts::touch_in_frame(const IndependentObject& independent,
-                                          const ToolState& tool_O) {
-  const auto& [k, object, material, moved_m, watch] = independent;
+                                          const ToolState& tool_O, Watch watch) {
+  const auto& [k, object, material, moved_m] = independent;
   const bool detailed = !object.detail.empty();
   ForceShading& shading = details_[k].shading;
   Touch touch;
@@ -208,13 +208,13 @@ Touch IndependentContacts::touch_in_frame(const IndependentObject& independent,
                    .tool_W = tool_O.p_W,
                    .moved_m = moved_m},
                   ForceShading::Passes::one);
-    touch = rest_in_frame(independent, tool_O.p_W + shading.offset());
+    touch = rest_in_frame(independent, tool_O.p_W + shading.offset(), watch);
     if (touch.contact == ContactKind::none && shading.is_on()) {
       shading.reset();
-      touch = rest_in_frame(independent, tool_O.p_W);
+      touch = rest_in_frame(independent, tool_O.p_W, watch);
     }
   } else {
-    touch = rest_in_frame(independent, tool_O.p_W);
+    touch = rest_in_frame(independent, tool_O.p_W, watch);
   }
   if (touch.contact == ContactKind::none) {
     if (detailed) {
@@ -240,7 +240,7 @@ Touch IndependentContacts::touch_in_frame(const IndependentObject& independent,
 // Applies detail with one pass per tick: its result shifts the goal of the next tick.
 void IndependentContacts::shade_in_frame(const IndependentObject& independent,
                                          const ToolState& tool_O, Touch& touch) {
-  const auto& [k, object, material, moved_m, watch] = independent;
+  const auto& [k, object, material, moved_m] = independent;
   DetailState& state = details_[k];
   SurfaceContact contact{.point_O = touch.proxy_W, .normal_O = touch.normal_W};
   contact.travel_m = state.touched ? (touch.proxy_W - state.point_O).norm() : tool_step_m_;
@@ -281,5 +281,10 @@ void IndependentContacts::shade_in_frame(const IndependentObject& independent,
         (stiffness * effective_depth - material.stiffness_N_per_m * touch.depth_m) * touch.normal_W;
   }
 }
+
+template void IndependentContacts::add_to(Touch&, const SceneObjects&, const ToolState&,
+                                          std::size_t, Unwatched);
+template void IndependentContacts::add_to(Touch&, const SceneObjects&, const ToolState&,
+                                          std::size_t, Watched);
 
 }  // namespace tactus::rendering

@@ -19,8 +19,6 @@
 
 namespace tactus::rendering {
 
-class TickWatcher;
-
 // Every contact is computed in its object's own frame: an object that moves carries its proxy
 // along, and meets every tool that it sweeps over. An object whose box is not near the tool sleeps
 // and costs next to nothing. `k` counts SceneObjects::independent_objects() throughout.
@@ -31,9 +29,11 @@ class IndependentContacts {
 
   // Adds the forces to `touch`, which holds the shared proxy's result, and reports the object with
   // the largest force of all, within `limit` cost units (tick_budget.h). The tool must be
-  // finite. Bounded time, no heap. `watcher` sees the moves if it is not null.
+  // finite. Bounded time, no heap. `watch` sees the moves
+  // (rendering/contact/tick_watch.h).
+  template <class Watch>
   void add_to(Touch& touch, const SceneObjects& scene, const ToolState& tool, std::size_t limit,
-              TickWatcher* watcher);
+              Watch watch);
 
   // Returns true if the tool's motion to p_W (world frame, m) meets an object's box, or if a
   // contact is left from the last tick.
@@ -93,8 +93,6 @@ class IndependentContacts {
     const Material& material;
     // The distance that the tool has moved since the last tick, seen from the object, m.
     double moved_m;
-    // Who sees the moves on it.
-    ObjectWatch watch;
   };
 
   // Starts contact `k` over, out of contact, at the last tool.
@@ -102,15 +100,18 @@ class IndependentContacts {
   // Returns how far the proxy of contact `k` is from the tool at tool_O (the object's frame), m.
   [[nodiscard]] double stretch_of(std::size_t k, const Object& object, const Vec3& tool_O) const;
   // Computes the contact of one object without shading, in its own frame.
-  Touch rest_in_frame(const IndependentObject& independent, const Vec3& goal_O);
+  template <class Watch>
+  Touch rest_in_frame(const IndependentObject& independent, const Vec3& goal_O, Watch watch);
   // Computes a contact by one of the textbook's methods on meshes.
-  Touch touch_by_textbook(const IndependentObject& independent, const Vec3& tool_O);
+  template <class Watch>
+  Touch touch_by_textbook(const IndependentObject& independent, const Vec3& tool_O, Watch watch);
   // Computes a potential field.
   Touch touch_of_field(std::size_t k, const Object& object, const Vec3& tool_O);
   // Applies the object's detail to the touch, and prepares the shift of the next tick's goal.
   void shade_in_frame(const IndependentObject& independent, const ToolState& tool_O, Touch& touch);
   // Computes the contact of one object with its detail, in its own frame.
-  Touch touch_in_frame(const IndependentObject& independent, const ToolState& tool_O);
+  template <class Watch>
+  Touch touch_in_frame(const IndependentObject& independent, const ToolState& tool_O, Watch watch);
   // Returns true if the tool's motion in this tick enters the object's box.
   [[nodiscard]] bool is_near(const Mover* mover, const Object& object, const Vec3& p_W) const;
   // Returns the number of contacts to compute for a tool at p_W.

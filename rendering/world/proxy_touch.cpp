@@ -60,7 +60,8 @@ void ProxyTouch::place(const Vec3& p_W) {
   last_tool_W_ = p_W;
 }
 
-Touch ProxyTouch::touch(const SceneObjects& scene, const ToolState& tool, TickWatcher* watcher) {
+template <class Watch>
+Touch ProxyTouch::touch(const SceneObjects& scene, const ToolState& tool, Watch watch) {
   tool_step_m_ = (tool.p_W - last_tool_W_).norm();
   proxy_.begin_friction(last_tool_W_, tool.p_W, scene.tick_s());
   last_tool_W_ = tool.p_W;
@@ -71,11 +72,11 @@ Touch ProxyTouch::touch(const SceneObjects& scene, const ToolState& tool, TickWa
                     .moved_m = scene.anything_moved() ? kMoves_m : tool_step_m_});
     set_friction(friction_);
   }
-  ProxyRest rest = proxy_.advance(scene, tool.p_W + shading_.offset(), watcher);
-  BlendedSurface blended = return_to_surface(scene, tool, watcher, rest);
+  ProxyRest rest = proxy_.advance(scene, tool.p_W + shading_.offset(), watch);
+  BlendedSurface blended = return_to_surface(scene, tool, watch, rest);
   // A proxy that has just left a surface with detail needs its shading to be forgotten.
   if (blended.detailed || detailed_) {
-    shade(scene, tool, watcher, rest, blended);
+    shade(scene, tool, watch, rest, blended);
     before_ = here_;
   }
   detailed_ = blended.detailed;
@@ -90,17 +91,14 @@ Touch ProxyTouch::touch(const SceneObjects& scene, const ToolState& tool, TickWa
     touch.friction = friction_state(scene, rest);
     set_force(scene, tool, rest, blended, touch);
   }
-  if (watcher == nullptr) {
-    proxy_.look_ahead(scene);
-    return touch;
-  }
-  watcher->see_step(TickStep::force);
+  watch.see_step(TickStep::force);
   proxy_.look_ahead(scene);
-  watcher->see_step(TickStep::collision);
+  watch.see_step(TickStep::collision);
   return touch;
 }
 
-void ProxyTouch::shade(const SceneObjects& scene, const ToolState& tool, TickWatcher* watcher,
+template <class Watch>
+void ProxyTouch::shade(const SceneObjects& scene, const ToolState& tool, Watch watch,
                        ProxyRest& rest, BlendedSurface& blended) {
   first_pass_ = false;
   for (int pass = 1; blended.detailed; ++pass) {
@@ -115,8 +113,8 @@ void ProxyTouch::shade(const SceneObjects& scene, const ToolState& tool, TickWat
     if (!improves || pass == kMostPasses || !proxy_.can_advance_again()) {
       return;
     }
-    rest = proxy_.advance_again(scene, tool.p_W + shading_.offset(), watcher);
-    blended = return_to_surface(scene, tool, watcher, rest);
+    rest = proxy_.advance_again(scene, tool.p_W + shading_.offset(), watch);
+    blended = return_to_surface(scene, tool, watch, rest);
   }
   shading_.reset();
   set_friction({});
@@ -124,17 +122,18 @@ void ProxyTouch::shade(const SceneObjects& scene, const ToolState& tool, TickWat
 
 // Moves the proxy back when a lifted or shifted goal has taken it off the surface. The goal is
 // lowered first, then set to the tool, and the proxy meets the surface if it is between them.
+template <class Watch>
 ProxyTouch::BlendedSurface ProxyTouch::return_to_surface(const SceneObjects& scene,
-                                                         const ToolState& tool,
-                                                         TickWatcher* watcher, ProxyRest& rest) {
+                                                         const ToolState& tool, Watch watch,
+                                                         ProxyRest& rest) {
   if (is_free(rest) && shading_.lower()) {
     set_friction(friction_);
-    rest = proxy_.advance_again(scene, tool.p_W + shading_.offset(), watcher);
+    rest = proxy_.advance_again(scene, tool.p_W + shading_.offset(), watch);
   }
   if (is_free(rest) && shading_.is_on()) {
     shading_.reset();
     set_friction(friction_);
-    rest = proxy_.advance_again(scene, tool.p_W, watcher);
+    rest = proxy_.advance_again(scene, tool.p_W, watch);
   }
   return blend_surfaces(scene, tool, rest);
 }
@@ -336,5 +335,8 @@ void ProxyTouch::set_parts(const Vec3& stretch, const BlendedSurface& blended, T
     touch.parts.texture_W = along + out_N * touch.normal_W;
   }
 }
+
+template Touch ProxyTouch::touch(const SceneObjects&, const ToolState&, Unwatched);
+template Touch ProxyTouch::touch(const SceneObjects&, const ToolState&, Watched);
 
 }  // namespace tactus::rendering

@@ -16,8 +16,6 @@
 
 namespace tactus::rendering {
 
-class TickWatcher;
-
 // The shared proxy of one tool with its detail. World frame.
 class ProxyTouch {
  public:
@@ -39,9 +37,10 @@ class ProxyTouch {
   // of different stiffness act as one spring (corner_spring.h); B v is a mean weighted by the
   // pressures. A surface with detail shifts the proxy so that the force is along its shading
   // normal, and its bumps shorten the stretch. This takes up to kMostPasses advances of the proxy,
-  // within the budget of one tick. Bounded time, no heap. `watcher` sees the moves if it is not
-  // null.
-  Touch touch(const SceneObjects& scene, const ToolState& tool, TickWatcher* watcher);
+  // within the budget of one tick. Bounded time, no heap. `watch` sees the moves
+  // (rendering/contact/tick_watch.h).
+  template <class Watch>
+  Touch touch(const SceneObjects& scene, const ToolState& tool, Watch watch);
 
   // Returns the planes of bodies in the last touch.
   [[nodiscard]] const ToolGrips& grips() const { return grips_; }
@@ -101,11 +100,13 @@ class ProxyTouch {
   };
 
   // Repeats the advance with a shifted goal until the shift settles, the passes or the budget end.
-  void shade(const SceneObjects& scene, const ToolState& tool, TickWatcher* watcher,
-             ProxyRest& rest, BlendedSurface& blended);
+  template <class Watch>
+  void shade(const SceneObjects& scene, const ToolState& tool, Watch watch, ProxyRest& rest,
+             BlendedSurface& blended);
   // Blends the surfaces; first it moves the proxy back if a shifted goal took it off them.
-  BlendedSurface return_to_surface(const SceneObjects& scene, const ToolState& tool,
-                                   TickWatcher* watcher, ProxyRest& rest);
+  template <class Watch>
+  BlendedSurface return_to_surface(const SceneObjects& scene, const ToolState& tool, Watch watch,
+                                   ProxyRest& rest);
   // Gives the proxy the friction factors of its next advance.
   void set_friction(const FrictionFactors& of_surfaces);
   // Sums up the surfaces that hold the proxy, weighted by the pressures.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "rendering/contact/tick_watcher.h"
 #include "rendering/limits.h"
 
 namespace tactus::rendering {
@@ -31,8 +32,9 @@ void ToolTouch::place(const SceneObjects& scene, const Vec3& p_W) {
   placed_ = true;
 }
 
+template <class Watch>
 Touch ToolTouch::touch(const SceneObjects& scene, const ToolState& tool, std::size_t limit,
-                       TickWatcher* watcher) {
+                       Watch watch) {
   // The shared proxy comes first; half of the budget is kept for the other contacts, if there are
   // any.
   const bool has_others = placed_ && independent_.any_near(scene, tool.p_W);
@@ -50,13 +52,13 @@ Touch ToolTouch::touch(const SceneObjects& scene, const ToolState& tool, std::si
   }
   Touch touch{.proxy_W = tool.p_W};
   if (scene.any_meets_proxy()) {
-    touch = proxy_.touch(scene, tool, watcher);
+    touch = proxy_.touch(scene, tool, watch);
     if (touch.contact != ContactKind::none && scene[touch.object].deforms) {
       add_driven_power(touch, scene.tick_s());
     }
   }
   touch.flags |= moved;
-  independent_.add_to(touch, scene, tool, limit - std::min(limit, proxy_.spent()), watcher);
+  independent_.add_to(touch, scene, tool, limit - std::min(limit, proxy_.spent()), watch);
   spent_ = proxy_.spent() + independent_.spent();
   if (needle_.any()) {
     add_needle(touch, scene, tool);
@@ -110,5 +112,8 @@ void ToolTouch::add_driven_power(Touch& touch, double tick_s) const {
   const double out_m = (touch.proxy_W - last_proxy_W_).dot(touch.normal_W);
   touch.parts.driven_power += touch.force_W.dot(touch.normal_W) * out_m / tick_s;
 }
+
+template Touch ToolTouch::touch(const SceneObjects&, const ToolState&, std::size_t, Unwatched);
+template Touch ToolTouch::touch(const SceneObjects&, const ToolState&, std::size_t, Watched);
 
 }  // namespace tactus::rendering

@@ -11,8 +11,6 @@
 
 namespace tactus::rendering {
 
-class TickWatcher;
-
 // The shared proxy, the independent contacts and the needle of one tool.
 class ToolTouch {
  public:
@@ -26,10 +24,10 @@ class ToolTouch {
   }
 
   // Computes one tick, within `limit` cost units (tick_budget.h); call it after
-  // scene.begin_tick(). Real time: no heap, bounded time. `watcher` sees the moves
-  // if it is not null.
-  Touch touch(const SceneObjects& scene, const ToolState& tool, std::size_t limit,
-              TickWatcher* watcher);
+  // scene.begin_tick(). Real time: no heap, bounded time. `watch` sees the moves
+  // (rendering/contact/tick_watch.h).
+  template <class Watch>
+  Touch touch(const SceneObjects& scene, const ToolState& tool, std::size_t limit, Watch watch);
 
   // Returns the cost units that the last touch has spent.
   [[nodiscard]] std::size_t spent() const { return spent_; }

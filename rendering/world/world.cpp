@@ -127,10 +127,10 @@ std::size_t World::begin_tick() {
   return budget_ - std::min(budget_, standing_units_);
 }
 
-Touch World::touch_one(std::size_t number, const ToolState& tool, std::size_t limit,
-                       TickWatcher* watcher) {
+template <class Watch>
+Touch World::touch_one(std::size_t number, const ToolState& tool, std::size_t limit, Watch watch) {
   auto& [contacts, effects] = slot(number);
-  Touch touch = contacts.touch(scene_, tool, limit, watcher);
+  Touch touch = contacts.touch(scene_, tool, limit, watch);
   if ((touch.flags & kTouchToolInvalid) != 0) {
     effects.hold();
   } else {
@@ -139,20 +139,24 @@ Touch World::touch_one(std::size_t number, const ToolState& tool, std::size_t li
   return touch;
 }
 
-Touch World::touch(const ToolState& tool, TickWatcher* watcher) {
-  if (watcher == nullptr) {
-    Touch touch = touch_one(0, tool, begin_tick(), nullptr);
-    step_bodies({&touch, 1});
-    return touch;
-  }
-  watcher->see_step(TickStep::tool);
+template <class Watch>
+Touch World::touch_only(const ToolState& tool, Watch watch) {
+  watch.see_step(TickStep::tool);
   const std::size_t limit = begin_tick();
-  watcher->see_step(TickStep::objects);
-  Touch touch = touch_one(0, tool, limit, watcher);
-  watcher->see_step(TickStep::force);
+  watch.see_step(TickStep::objects);
+  Touch touch = touch_one(0, tool, limit, watch);
+  watch.see_step(TickStep::force);
   step_bodies({&touch, 1});
-  watcher->see_step(TickStep::objects);
+  watch.see_step(TickStep::objects);
   return touch;
+}
+
+Touch World::touch_unwatched(const ToolState& tool) {
+  return touch_only(tool, Unwatched{});
+}
+
+Touch World::touch_watched(const ToolState& tool, TickWatcher& watcher) {
+  return touch_only(tool, Watched{watcher});
 }
 
 void World::step_bodies(std::span<Touch> touches) {
@@ -175,21 +179,35 @@ void World::step_bodies(std::span<Touch> touches) {
 }
 
 // Every tool may spend an equal share of what the tools before it have left.
-void World::touch(std::span<const ToolState> tools, std::span<Touch> touches,
-                  std::span<TickWatcher* const> watchers) {
+void World::touch_all(std::span<const ToolState> tools, std::span<Touch> touches,
+                      const auto& touch_number) {
   // A tool that is not given is no number, which holds its proxies.
   constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
   std::size_t left = begin_tick();
   for (std::size_t i = 0; i < tool_count_; ++i) {
     const ToolState tool = i < tools.size() ? tools[i] : ToolState{.p_W = Vec3::Constant(kNone)};
-    TickWatcher* const watcher = i < watchers.size() ? watchers[i] : nullptr;
-    const Touch touch = touch_one(i, tool, left / (tool_count_ - i), watcher);
+    const Touch touch = touch_number(i, tool, left / (tool_count_ - i));
     left -= std::min(left, slot(i).touch.spent());
     if (i < touches.size()) {
       touches[i] = touch;
     }
   }
   step_bodies(touches);
+}
+
+void World::touch(std::span<const ToolState> tools, std::span<Touch> touches) {
+  touch_all(tools, touches, [this](std::size_t i, const ToolState& tool, std::size_t limit) {
+    return touch_one(i, tool, limit, Unwatched{});
+  });
+}
+
+void World::touch(std::span<const ToolState> tools, std::span<Touch> touches,
+                  std::span<TickWatcher* const> watchers) {
+  touch_all(tools, touches, [&](std::size_t i, const ToolState& tool, std::size_t limit) {
+    TickWatcher* const watcher = i < watchers.size() ? watchers[i] : nullptr;
+    return watcher == nullptr ? touch_one(i, tool, limit, Unwatched{})
+                              : touch_one(i, tool, limit, Watched{*watcher});
+  });
 }
 
 std::size_t World::spent_units() const {

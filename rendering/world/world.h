@@ -163,14 +163,17 @@ class World {
   // solver: the impulse on the body over the period (rendering/bodies).
   //
   // Real time: no heap, no exceptions, bounded time; limits that were reached are in Touch::flags.
-  // `watcher` sees the moves if it is not null.
-  Touch touch(const ToolState& tool, TickWatcher* watcher = nullptr);
+  // `watcher` sees the moves if it is not null; a call without one has no instruction for it.
+  Touch touch(const ToolState& tool, TickWatcher* watcher = nullptr) {
+    return watcher == nullptr ? touch_unwatched(tool) : touch_watched(tool, *watcher);
+  }
 
   // Computes one tick of all tools; touches[i] is of tools[i]. Tools do not feel each other but
   // through the bodies that they hold. A tool without a state in `tools` counts as invalid.
-  // `watchers[i]` sees the moves of tools[i]; it may be null or missing.
+  void touch(std::span<const ToolState> tools, std::span<Touch> touches);
+  // The same; `watchers[i]` sees the moves of tools[i]. It may be null or missing.
   void touch(std::span<const ToolState> tools, std::span<Touch> touches,
-             std::span<TickWatcher* const> watchers = {});
+             std::span<TickWatcher* const> watchers);
 
   // Returns the needle of a tool after the last touch; `tool` must be in range.
   [[nodiscard]] const NeedleTouch& needle(std::size_t tool = 0) const {
@@ -206,9 +209,17 @@ class World {
   // Moves the objects to their places in this tick. Returns the cost units that are left for the
   // contacts of all tools.
   std::size_t begin_tick();
+  // Compute a tick of one tool.
+  Touch touch_unwatched(const ToolState& tool);
+  Touch touch_watched(const ToolState& tool, TickWatcher& watcher);
+  template <class Watch>
+  Touch touch_only(const ToolState& tool, Watch watch);
+  // Computes a tick of all tools; touch_number(i, tool, limit) computes one of them.
+  void touch_all(std::span<const ToolState> tools, std::span<Touch> touches,
+                 const auto& touch_number);
   // Computes one tool with its effects, within `limit` cost units.
-  Touch touch_one(std::size_t number, const ToolState& tool, std::size_t limit,
-                  TickWatcher* watcher);
+  template <class Watch>
+  Touch touch_one(std::size_t number, const ToolState& tool, std::size_t limit, Watch watch);
 
   // Moves the bodies after the touches of this tick, and puts their forces into these.
   void step_bodies(std::span<Touch> touches);

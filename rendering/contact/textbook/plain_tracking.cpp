@@ -79,8 +79,8 @@ Seed PlainTracker::look_for_contact(const ImplicitSurface& surface, const Vec3& 
   return found;
 }
 
-PlainRest PlainTracker::advance(const ImplicitSurface& surface, const Vec3& tool_W,
-                                const ObjectWatch& watch) {
+template <class Watch>
+PlainRest PlainTracker::advance(const ImplicitSurface& surface, const Vec3& tool_W, Watch watch) {
   if (!tool_W.allFinite() || tool_W.cwiseAbs().maxCoeff() > kWorldBound_m) {
     return {.proxy_W = p_W_, .flags = kTouchToolInvalid};
   }
@@ -98,19 +98,19 @@ PlainRest PlainTracker::advance(const ImplicitSurface& surface, const Vec3& tool
     rest.depth_m = (rest.proxy_W - tool_W).dot(rest.normal_W);
     rest.flags = found.converged ? kTouchClean : kTouchIterationsExhausted;
   }
-  if (watch.watcher != nullptr) {
-    watch.watcher->see(watch,
-                       WatchedFormulaStep{.surface = surface,
-                                          .side = side_,
-                                          .from_O = before,
-                                          .goal_O = tool,
-                                          .to_O = found.point,
-                                          .planes = static_cast<std::uint8_t>(in_contact_ ? 1 : 0),
-                                          .friction = FrictionState::free,
-                                          .flags = rest.flags});
-  }
+  watch.see(WatchedFormulaStep{.surface = surface,
+                               .side = side_,
+                               .from_O = before,
+                               .goal_O = tool,
+                               .to_O = found.point,
+                               .planes = static_cast<std::uint8_t>(in_contact_ ? 1 : 0),
+                               .friction = FrictionState::free,
+                               .flags = rest.flags});
   p_W_ = rest.proxy_W;
   return rest;
 }
+
+template PlainRest PlainTracker::advance(const ImplicitSurface&, const Vec3&, Unwatched);
+template PlainRest PlainTracker::advance(const ImplicitSurface&, const Vec3&, ObjectWatched);
 
 }  // namespace tactus::rendering

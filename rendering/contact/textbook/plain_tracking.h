@@ -11,7 +11,7 @@
 
 #include <cstddef>
 
-#include "rendering/contact/object_watch.h"
+#include "rendering/contact/tick_watch.h"
 #include "rendering/state_archive.h"
 #include "rendering/surface/implicit_surface.h"
 #include "rendering/touch.h"
@@ -60,8 +60,8 @@ class PlainTracker {
 
   // Computes a tick. A tool that is not finite or beyond kWorldBound_m leaves the point where it
   // is. Real time: no heap. `watch` sees the step.
-  PlainRest advance(const ImplicitSurface& surface, const Vec3& tool_W,
-                    const ObjectWatch& watch = {});
+  template <class Watch = Unwatched>
+  PlainRest advance(const ImplicitSurface& surface, const Vec3& tool_W, Watch watch = {});
 
   // Returns the point after the last tick; world frame, m.
   [[nodiscard]] const Vec3& position_W() const { return p_W_; }

@@ -17,11 +17,12 @@ Vec3 on_plane(const Plane& plane, const Vec3& p) {
 
 }  // namespace
 
+template <class Watch>
 struct TextbookProxy::Tick {
   const TextbookSurface& surface;
   const Vec3& tool;
   FacetSearch search;
-  const ObjectWatch& watch;
+  [[no_unique_address]] const Watch watch;
   TextbookRest rest;
   // The facets that hold the god-object, in the order in which they were met, with their planes
   // raised by the push-out.
@@ -57,11 +58,8 @@ struct TextbookProxy::Tick {
 
   // Shows a segment that ended at `to`.
   void show(const Vec3& from, const Vec3& goal, const Vec3& to, const FacetHit& hit) const {
-    if (watch.watcher != nullptr) {
-      watch.watcher->see(
-          watch,
-          WatchedSegment{.from_O = from, .goal_O = goal, .to_O = to, .tool_O = tool, .hit = hit});
-    }
+    watch.see(
+        WatchedSegment{.from_O = from, .goal_O = goal, .to_O = to, .tool_O = tool, .hit = hit});
   }
 };
 
@@ -72,7 +70,7 @@ void TextbookProxy::place(const Vec3& p) {
 }
 
 // The nearest point of the first facet's plane is taken as it is, on the facet or beside it.
-Vec3 TextbookProxy::follow_one_plane(Tick& tick) const {
+Vec3 TextbookProxy::follow_one_plane(auto& tick) const {
   const FacetHit hit = tick.test(p_, tick.tool);
   const Vec3 goal = hit.is_hit() ? on_plane(tick.planes[0], tick.tool) : tick.tool;
   tick.show(p_, tick.tool, goal, hit);
@@ -82,7 +80,7 @@ Vec3 TextbookProxy::follow_one_plane(Tick& tick) const {
 // Each segment begins at the god-object and ends at the point nearest to the tool in front of the
 // planes so far. A facet that is a constraint already is passed. What is on the way to the last
 // point is not asked.
-Vec3 TextbookProxy::follow_sub_goals(Tick& tick) const {
+Vec3 TextbookProxy::follow_sub_goals(auto& tick) const {
   Vec3 goal = tick.tool;
   while (tick.count < tick.planes.size()) {
     const FacetHit hit = tick.test(p_, goal, tick.facets());
@@ -99,7 +97,7 @@ Vec3 TextbookProxy::follow_sub_goals(Tick& tick) const {
 
 // The goal is projected on one plane after the other, so that on two planes that are not
 // perpendicular it may lie behind the first again, which then stops the god-object a second time.
-Vec3 TextbookProxy::follow_three_steps(Tick& tick) const {
+Vec3 TextbookProxy::follow_three_steps(auto& tick) const {
   Vec3 p = p_;
   Vec3 goal = tick.tool;
   for (std::size_t step = 0; step < tick.planes.size(); ++step) {
@@ -118,7 +116,7 @@ Vec3 TextbookProxy::follow_three_steps(Tick& tick) const {
 
 // `steps_` counts the collisions of the ticks before. A slide needs two ticks: one that finds the
 // facet and one that follows it.
-Vec3 TextbookProxy::follow_one_step(Tick& tick) {
+Vec3 TextbookProxy::follow_one_step(auto& tick) {
   Vec3 goal = tick.tool;
   for (std::size_t step = 0; step < steps_; ++step) {
     goal = on_plane(step_planes_[step], goal);
@@ -136,7 +134,7 @@ Vec3 TextbookProxy::follow_one_step(Tick& tick) {
   return to;
 }
 
-Vec3 TextbookProxy::follow(TextbookRule rule, Tick& tick) {
+Vec3 TextbookProxy::follow(TextbookRule rule, auto& tick) {
   switch (rule) {
     case TextbookRule::one_plane:
       return follow_one_plane(tick);
@@ -149,18 +147,18 @@ Vec3 TextbookProxy::follow(TextbookRule rule, Tick& tick) {
   }
 }
 
+template <class Watch>
 TextbookRest TextbookProxy::advance(TextbookRule rule, const TextbookSurface& surface,
-                                    const Vec3& tool, std::size_t most_visits,
-                                    const ObjectWatch& watch) {
+                                    const Vec3& tool, std::size_t most_visits, Watch watch) {
   if (!tool.allFinite() || tool.cwiseAbs().maxCoeff() > kWorldBound_m) {
     return {.proxy = p_, .flags = kTouchToolInvalid};
   }
-  Tick tick{.surface = surface,
-            .tool = tool,
-            .search = {surface.mesh, surface.sides, most_visits},
-            .watch = watch,
-            .rest = {},
-            .planes = {}};
+  Tick<Watch> tick{.surface = surface,
+                   .tool = tool,
+                   .search = {surface.mesh, surface.sides, most_visits},
+                   .watch = watch,
+                   .rest = {},
+                   .planes = {}};
   const Vec3 goal = follow(rule, tick);
   TextbookRest& rest = tick.rest;
   rest.visited = most_visits - tick.search.left();
@@ -192,5 +190,10 @@ TextbookRest TextbookProxy::advance(TextbookRule rule, const TextbookSurface& su
   p_ = rest.proxy;
   return rest;
 }
+
+template TextbookRest TextbookProxy::advance(TextbookRule, const TextbookSurface&, const Vec3&,
+                                             std::size_t, Unwatched);
+template TextbookRest TextbookProxy::advance(TextbookRule, const TextbookSurface&, const Vec3&,
+                                             std::size_t, ObjectWatched);
 
 }  // namespace tactus::rendering

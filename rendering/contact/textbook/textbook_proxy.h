@@ -26,8 +26,8 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "rendering/contact/object_watch.h"
 #include "rendering/contact/textbook/first_facet.h"
+#include "rendering/contact/tick_watch.h"
 #include "rendering/geometry/plane_projection.h"
 #include "rendering/geometry/vector.h"
 #include "rendering/material/material.h"
@@ -76,8 +76,9 @@ class TextbookProxy {
   // Moves the god-object toward the tool by the rule. A tool that is not finite or beyond
   // kWorldBound_m leaves it where it is, and so does a search that measures more than `most_visits`
   // triangles. Real time: no heap. `watch` sees the segments.
+  template <class Watch = Unwatched>
   TextbookRest advance(TextbookRule rule, const TextbookSurface& surface, const Vec3& tool,
-                       std::size_t most_visits, const ObjectWatch& watch = {});
+                       std::size_t most_visits, Watch watch = {});
 
   // Returns the god-object's position after the last tick, m.
   [[nodiscard]] const Vec3& position() const { return p_; }
@@ -87,15 +88,16 @@ class TextbookProxy {
 
  private:
   // The search of one tick, and what it has found.
+  template <class Watch>
   struct Tick;
 
   // Each follows one rule. They return the goal without friction, m.
-  Vec3 follow_one_plane(Tick& tick) const;
-  Vec3 follow_sub_goals(Tick& tick) const;
-  Vec3 follow_three_steps(Tick& tick) const;
-  Vec3 follow_one_step(Tick& tick);
+  Vec3 follow_one_plane(auto& tick) const;
+  Vec3 follow_sub_goals(auto& tick) const;
+  Vec3 follow_three_steps(auto& tick) const;
+  Vec3 follow_one_step(auto& tick);
   // Follows the rule of the tick.
-  Vec3 follow(TextbookRule rule, Tick& tick);
+  Vec3 follow(TextbookRule rule, auto& tick);
 
   Vec3 p_ = Vec3::Zero();
   FrictionState friction_ = FrictionState::free;

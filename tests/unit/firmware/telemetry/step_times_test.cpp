@@ -72,11 +72,11 @@ class Order final : public rendering::TickWatcher {
   void see_step(TickStep step) override { steps.push_back(step); }
   void see(const rendering::WatchedSubGoal& /*sub_goal*/) override {}
   void see_end(const rendering::MovingProxy& /*proxy*/, bool /*is_put_back*/) override {}
-  void see(const rendering::ObjectWatch& /*object*/,
+  void see(const rendering::WatchedObject& /*object*/,
            const rendering::WatchedFormulaStep& /*step*/) override {}
-  void see(const rendering::ObjectWatch& /*object*/,
+  void see(const rendering::WatchedObject& /*object*/,
            const rendering::MeshFeature& /*feature*/) override {}
-  void see(const rendering::ObjectWatch& /*object*/,
+  void see(const rendering::WatchedObject& /*object*/,
            const rendering::WatchedSegment& /*segment*/) override {}
 
   std::vector<TickStep> steps;

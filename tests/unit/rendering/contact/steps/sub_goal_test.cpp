@@ -29,7 +29,7 @@ class SubGoalTest : public ::testing::Test {
                        rest_.flags);
   }
   SubGoal choose(const Vec3& h) {
-    return chooser_.choose({.near = near_, .factors = factors_, .h_W = h, .watcher = nullptr},
+    return chooser_.choose({.near = near_, .factors = factors_, .h_W = h},
                            {.state = state_, .planes = planes_, .rest = rest_});
   }
 
