@@ -19,6 +19,7 @@ constexpr const char* kMonitorExamples =
     "  tactus monitor                     the controller of this machine\n"
     "  ssh -t board tactus monitor        that of another\n"
     "  tactus monitor --device 2          the second of its devices\n"
+    "  tactus monitor --device left       the one of left.tactus\n"
     "  tactus monitor --run-dir /tmp/run  one that was started with that --run-dir";
 
 }  // namespace

@@ -93,7 +93,8 @@ void add_requests(CLI::App& app) {
   constexpr auto kRequests = std::to_array<VerbText>({
       {"enable", "Let the running controller put force on the hand",
        "Works in the mode `ready`; the force rises softly.\n\nExamples:\n  tactus home --wait && "
-       "tactus enable\n  tactus enable --device 2             the second of several devices"},
+       "tactus enable\n  tactus enable --device 2             the second of several devices\n  "
+       "tactus enable --device left          the one of left.tactus"},
       {"disable", "Take the force away; the mode is then `ready`", "Example:\n  tactus disable"},
       {"reset", "Leave the mode `fault`, once its cause is gone",
        "Force comes back only through home and enable.\n\nExample:\n  tactus reset && tactus home "

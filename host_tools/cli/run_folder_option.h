@@ -11,12 +11,12 @@
 
 namespace tactus::host {
 
-// The controller's folder and the number of its device, 1 for the first.
+// The controller's folder, and the name of its device or its number, 1 for the first.
 struct RunFolderOption {
   std::string run_dir = std::string(kDefaultRunDir);
-  std::size_t device = 1;
+  std::string device = "1";
 
-  // Returns the folder of the device's sockets.
+  // Returns the folder of the device's sockets. Throws UnreachableError if no device has the name.
   [[nodiscard]] std::filesystem::path folder() const { return run_folder_of(run_dir, device); }
 };
 
@@ -27,8 +27,12 @@ inline void add_run_folder_option(CLI::App& verb, RunFolderOption& option) {
       ->envname("TACTUS_RUN_DIR")
       ->capture_default_str();
   verb.add_option("--device", option.device,
-                  "Number of the device, in the order in which tactusd was given them")
-      ->check(CLI::Range(std::size_t{1}, rendering::kMaxTools))
+                  "Name of the device, that of its image (left.tactus: left), or its number in the "
+                  "order in which tactusd was given them")
+      ->check([](const std::string& device) {
+        const bool is_number = device.find_first_not_of("0123456789") == std::string::npos;
+        return is_number ? CLI::Range(std::size_t{1}, rendering::kMaxTools)(device) : std::string{};
+      })
       ->capture_default_str();
 }
 

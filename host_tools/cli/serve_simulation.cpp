@@ -11,9 +11,11 @@
 #include <memory>
 #include <span>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
+#include "firmware/linux/commands/device_folders.h"
 #include "firmware/linux/commands/injection.h"
 #include "firmware/linux/commands/scene_store.h"
 #include "hal/linux/clock.h"
@@ -40,7 +42,7 @@ std::uint64_t clock_now_ns() {
 class ServedSimulation {
  public:
   ServedSimulation(const std::filesystem::path& scene, const RunOptions& run, ServeOptions options)
-      : options_(std::move(options)), rate_hz_(run.rate_hz) {
+      : options_(std::move(options)), rate_hz_(run.rate_hz), presets_(run.devices) {
     const rendering::SceneImage& image = open(scene);
     RunPlan plan = plan_run(run, image.objects(), image.tool_radius_m());
     for (SimulationConfig& config : plan.devices) {
@@ -97,9 +99,22 @@ class ServedSimulation {
         companions_.push_back(&devices_[i]->telemetry().writer());
       }
     }
+    name_devices();
     devices_.front()->telemetry().sinks().companions = companions_;
     for (std::size_t i = 0; i < devices_.size(); ++i) {
       devices_[i]->start_commands(i == 0 ? scenes_.get() : nullptr, options_.allow_inject);
+    }
+  }
+
+  // Links the names of the presets where they tell the devices apart.
+  void name_devices() const {
+    std::vector<std::string_view> names(presets_.begin(), presets_.end());
+    if (names.size() < simulation_->device_count()) {
+      names.clear();  // one preset stands for all devices
+    }
+    const std::string folder = options_.run_dir.string();
+    if (const int error = firmware::link_device_names(folder.c_str(), names); error != 0) {
+      throw InputError(fmt::format("{}: {}", folder, std::strerror(error)));
     }
   }
 
@@ -122,6 +137,8 @@ class ServedSimulation {
 
   ServeOptions options_;
   double rate_hz_;
+  // The presets of the devices; one may stand for all.
+  std::vector<std::string> presets_;
   // The ticks that are left.
   std::uint64_t ticks_ = std::numeric_limits<std::uint64_t>::max();
   // It has a megabyte, too much for the stack. Members are destroyed in reverse order: the servers
@@ -144,7 +161,7 @@ void serve_simulation(const std::filesystem::path& scene, const RunOptions& run,
   fmt::print(stderr,
              "tactus sim: serving in {}; try: tactus home --wait && tactus enable{}; Ctrl-C ends\n",
              options.run_dir.string(),
-             served.device_count() > 1 ? ", and both with --device 2" : "");
+             served.device_count() > 1 ? ", and both with --device 2 or the preset's name" : "");
   served.run();
 }
 

@@ -1,6 +1,7 @@
 #include "host_tools/remote/remote.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <grp.h>
 #include <sys/socket.h>
 #include <sys/stat.h>
@@ -9,8 +10,10 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
+#include <charconv>
 #include <cstring>
 #include <span>
+#include <system_error>
 #include <utility>
 
 namespace tactus::host {
@@ -68,6 +71,24 @@ hal::FileDescriptor connect_to(const std::string& path, int type) {
   return socket;
 }
 
+// Returns the number that is the whole text.
+std::optional<std::size_t> number_of(std::string_view text) {
+  std::size_t number = 0;
+  const auto [end, error] = std::from_chars(text.begin(), text.end(), number);
+  return error == std::errc{} && end == text.end() ? std::optional(number) : std::nullopt;
+}
+
+// Returns a sentence with the names in the folder of names.
+std::string list_names(const std::filesystem::path& names) {
+  std::vector<std::string> found;
+  for (const auto& entry : std::filesystem::directory_iterator(names)) {
+    found.push_back(entry.path().filename().string());
+  }
+  std::ranges::sort(found);
+  return found.empty() ? "no device has a name of its own"
+                       : fmt::format("there are {}", fmt::join(found, ", "));
+}
+
 }  // namespace
 
 std::optional<std::string> field_of(std::string_view line, std::string_view name) {
@@ -82,6 +103,26 @@ std::optional<std::string> field_of(std::string_view line, std::string_view name
 
 std::filesystem::path run_folder_of(const std::filesystem::path& run_dir, std::size_t device) {
   return device == 1 ? run_dir : run_dir / std::to_string(device);
+}
+
+std::filesystem::path run_folder_of(const std::filesystem::path& run_dir,
+                                    const std::string& device) {
+  if (const std::optional<std::size_t> number = number_of(device)) {
+    return run_folder_of(run_dir, *number);
+  }
+  const std::filesystem::path names = run_dir / kNamesFolder;
+  std::error_code error;
+  if (const auto target = std::filesystem::read_symlink(names / device, error); !error) {
+    return (names / target).lexically_normal();
+  }
+  if (!std::filesystem::is_directory(names, error)) {
+    const int reason = error ? error.value() : ENOENT;
+    throw UnreachableError(
+        fmt::format("{}: {}", run_dir.string(), remedy(run_dir.string(), reason)));
+  }
+  throw UnreachableError(fmt::format(
+      "{}: no device is named \"{}\", or several are; {}, and --device takes a number, too",
+      run_dir.string(), device, list_names(names)));
 }
 
 Remote::Remote(const std::filesystem::path& run_dir)

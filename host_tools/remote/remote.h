@@ -22,9 +22,11 @@ namespace tactus::host {
 inline constexpr std::string_view kDefaultRunDir = "/run/tactus";
 inline constexpr std::string_view kCommandSocket = "command.sock";
 inline constexpr std::string_view kStopSocket = "stop.sock";
+// The folder in it with a symbolic link for the name of each device.
+inline constexpr std::string_view kNamesFolder = "by-name";
 
-// Returns the folder of the sockets of a controller's device, 1 for the first, whose folder is
-// `run_dir`.
+// Returns the folder of the sockets of a controller's device, 1 for the first. `run_dir` is the
+// controller's folder.
 std::filesystem::path run_folder_of(const std::filesystem::path& run_dir, std::size_t device);
 
 // Thrown if no controller could be asked or none replied. The text names the socket and the remedy.
@@ -32,6 +34,11 @@ class UnreachableError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
+
+// Returns the folder of the sockets of the device of that name, or of that number, 1 for the first.
+// Throws UnreachableError, which names the devices that there are, if none has the name.
+std::filesystem::path run_folder_of(const std::filesystem::path& run_dir,
+                                    const std::string& device);
 
 // The controller's answer to one line.
 struct Reply {

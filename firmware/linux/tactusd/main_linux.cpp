@@ -186,7 +186,7 @@ int start_and_run(const Options& options) {
   if (!take_run_folder(options, program.exclusive_use) ||
       !devices.open(options, program.exclusive_use, program.scenes) ||
       !devices.start_telemetry(options, program.scenes.bytes()) ||
-      !devices.start_commands(options, program.scenes) ||
+      !devices.start_commands(options, program.scenes) || !name_devices(options) ||
       !take_time(options, program.cpu_latency) || !start_reporting() || !catch_signals()) {
     return kCouldNotStart;
   }

@@ -6,27 +6,16 @@
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
+#include <span>
+#include <string_view>
+
+#include "firmware/linux/commands/device_folders.h"
 
 namespace tactus::firmware {
 namespace {
 
 const char* base_folder(const Options& options) {
   return options.run_dir != nullptr ? options.run_dir : kRunFolder;
-}
-
-// Makes the folder of a further device, with the group and the rights of `base`. Returns 0 or
-// errno.
-int make_folder(const char* folder, const struct stat& base) {
-  constexpr mode_t kRights = 07777;
-  if (::mkdir(folder, base.st_mode & kRights) != 0) {
-    return errno == EEXIST ? 0 : errno;
-  }
-  // The owner has these rights if the folder's group is not changed.
-  if (::chown(folder, static_cast<uid_t>(-1), base.st_gid) != 0 ||
-      ::chmod(folder, base.st_mode & kRights) != 0) {
-    return errno;
-  }
-  return 0;
 }
 
 }  // namespace
@@ -60,7 +49,7 @@ bool take_run_folder(const Options& options, ExclusiveUse& exclusive_use) {
   }
   for (std::size_t i = 1; i < options.device_count; ++i) {
     const FolderPath further = run_folder(options, i);
-    if (const int failed = make_folder(further.data(), status); failed != 0) {
+    if (const int failed = make_device_folder(further.data(), status); failed != 0) {
       std::fprintf(stderr,
                    "tactusd: %s: cannot make the folder for the sockets of device %zu: %s\n",
                    further.data(), i + 1, std::strerror(failed));
@@ -68,6 +57,20 @@ bool take_run_folder(const Options& options, ExclusiveUse& exclusive_use) {
     }
   }
   return true;
+}
+
+bool name_devices(const Options& options) {
+  std::array<std::string_view, rendering::kMaxTools> names{};
+  for (std::size_t i = 0; i < options.device_count; ++i) {
+    names[i] = device_name_of(options.devices[i]);
+  }
+  const char* const folder = base_folder(options);
+  const int failed = link_device_names(folder, std::span(names).first(options.device_count));
+  if (failed != 0) {
+    std::fprintf(stderr, "tactusd: %s/%s: cannot link the names of the devices: %s\n", folder,
+                 kNamesFolder, std::strerror(failed));
+  }
+  return failed == 0;
 }
 
 }  // namespace tactus::firmware

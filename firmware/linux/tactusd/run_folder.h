@@ -22,4 +22,8 @@ FolderPath run_folder(const Options& options, std::size_t device);
 // Returns false after it has printed why to stderr.
 bool take_run_folder(const Options& options, ExclusiveUse& exclusive_use);
 
+// Lets programs name the devices: links the names of their images in the folder of the sockets.
+// Returns false after it has printed why to stderr.
+bool name_devices(const Options& options);
+
 }  // namespace tactus::firmware

@@ -61,6 +61,25 @@ TEST(TactusdWithTwoDevices, HasSocketsForEachAndOneScene) {
   EXPECT_EQ(bench->torque_Nm(), 0.0);
 }
 
+TEST(TactusdWithTwoDevices, AreFoundByTheNamesOfTheirImages) {
+  const auto [bench, process] = start_pushing(2);
+  const auto tactus = [&](const std::string& words) {
+    return testing::run_program(bench->folder(), words + " --run-dir .");
+  };
+  EXPECT_EQ(tactus("set max_force_N 1.5 --device device2").exit_code, 0);
+  EXPECT_EQ(tactus("set max_force_N 1.25 --device device").exit_code, 0);
+  EXPECT_NE(tactus("get max_force_N --device 2").output.find("1.5"), std::string::npos);
+  EXPECT_NE(tactus("get max_force_N").output.find("1.25"), std::string::npos);
+
+  const testing::Outcome unknown = tactus("status --device thumb");
+  EXPECT_EQ(unknown.exit_code, 2);
+  EXPECT_NE(unknown.output.find("\"thumb\""), std::string::npos) << unknown.output;
+  EXPECT_NE(unknown.output.find("device, device2"), std::string::npos) << unknown.output;
+  EXPECT_NE(tactus("status --device 11").output.find("10"), std::string::npos);
+  ::kill(process, SIGTERM);
+  EXPECT_EQ(wait_for_end(process), 0) << bench->log();
+}
+
 TEST(TactusdWithTwoDevices, AStopOfOneTakesTheTorqueFromBoth) {
   const auto [bench, process] = start_pushing(2);
   EXPECT_TRUE(host::send_stop(bench->folder() / "2").is_ok);
