@@ -6,7 +6,7 @@
 modprobe -a vcan can-raw
 ip link add dev can0 type vcan && ip link set can0 mtu 72 up
 emulated='odrive --nodes 0,1,2 --encoder multi_turn --can can0 --mechanism woodenhaptics --ratio 16,12,12 --path /images/wish.csv --origin 0.0,-0.01,0.23'
-device=odrive_loop priority=70
+devices=odrive_loop priority=70
 # shellcheck source=tests/rig/scenarios/loop.inc
 . /rig/loop.inc
 

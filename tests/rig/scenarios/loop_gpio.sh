@@ -6,7 +6,7 @@ modprobe gpio-sim-oot
 mkdir -p /run && mount -t tmpfs run /run
 # The hand holds the paddle upright, where it is homed at the start of each loop.
 emulated='paddle --pins encoder_a=0,encoder_b=1,direction=2,enable=3,heartbeat=4 --ratio 17.4545'
-device=hapkit priority=40
+devices=hapkit priority=40
 # shellcheck source=tests/rig/scenarios/loop.inc
 . /rig/loop.inc
 

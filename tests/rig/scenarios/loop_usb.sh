@@ -6,7 +6,7 @@
 # shellcheck source=tests/rig/scenarios/falcon_gadget.inc
 . /rig/falcon_gadget.inc
 emulated='falcon --homed --path /images/wish.csv --origin 0.015,-0.075,0.13'
-device=falcon priority=70
+devices=falcon priority=70
 # shellcheck source=tests/rig/scenarios/loop.inc
 . /rig/loop.inc
 
