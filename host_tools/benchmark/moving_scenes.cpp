@@ -14,6 +14,7 @@
 #include "host_tools/simulation/random.h"
 #include "rendering/friction/friction_model.h"
 #include "rendering/limits.h"
+#include "rendering/needle/tissue.h"
 
 namespace tactus::host {
 namespace {
@@ -168,6 +169,45 @@ MovingScene wall(const std::string& name, std::size_t bricks, std::size_t ticks)
                            0.003 * std::sin(1.3 * t));
   }
   return wall;
+}
+
+MovingScene layers(std::size_t ticks) {
+  constexpr int kLayers = 5;
+  constexpr double kWide_m = 0.2;
+  constexpr double kDeep_m = 0.15;
+  constexpr double kThick_m = 0.01;
+  constexpr double kPiercing_m = 0.065;
+  MovingScene pierced{.name = "needle, 5 layers", .scene = {.tool_radius_m = 0.0}};
+  pierced.scene.needle = rendering::Needle{.length_m = 0.09, .width_m = 1.2e-3};
+  for (int i = 0; i < kLayers; ++i) {
+    const double inset_m = kThick_m * i;
+    const Vec3 half(0.5 * kWide_m - inset_m, 0.5 * (kDeep_m - inset_m), 0.5 * kWide_m - inset_m);
+    // Every layer begins deeper than the one around it, and ends before it.
+    const Vec3 middle(0.0, -0.5 * kDeep_m - 0.25 * inset_m, 0.0);
+    BakedObject layer{.name = "layer " + std::to_string(i)};
+    layer.shape = rendering::Primitive{.kind = rendering::PrimitiveKind::box,
+                                       .X_WO = {.translation = middle},
+                                       .dimensions_m = {half.x(), half.y(), half.z()}};
+    layer.mesh = bake_mesh(picture_of(layer.shape, {}, layer.sides).mesh);
+    const rendering::ShaftFriction friction{
+        .static_N_per_m = 30.0, .dynamic_N_per_m = 20.0, .viscous_Ns_per_m2 = 200.0};
+    layer.tissue = rendering::Tissue{.stiffness_N_per_m = 200.0,
+                                     .stiffness_N_per_m2 = 4e4,
+                                     .puncture_force_N = 1.5,
+                                     .cutting_force_N = 0.8,
+                                     .toughness_J_per_m2 = 300.0,
+                                     .in = friction,
+                                     .out = friction,
+                                     .lateral_stiffness_N_per_m2 = 5e3};
+    pierced.scene.objects.push_back(std::move(layer));
+  }
+  for (std::size_t i = 0; i < ticks; ++i) {
+    const double t = kPathTick_s * static_cast<double>(i);
+    pierced.path.emplace_back(0.002 * std::sin(7.0 * t),
+                              0.005 - 0.5 * kPiercing_m * (1.0 - std::cos(4.5 * t)),
+                              0.002 * std::cos(5.0 * t));
+  }
+  return pierced;
 }
 
 }  // namespace tactus::host

@@ -1,5 +1,5 @@
-// Scenes of objects that move or deform, as many as a world can hold, to measure what a tick of
-// them takes.
+// Scenes of objects that move or deform, as many as a world can hold, and of layers that a needle
+// pierces, to measure what a tick of them takes.
 #pragma once
 
 #include <string>
@@ -28,5 +28,9 @@ MovingScene sheets(std::size_t ticks);
 // Returns a wall of bricks as bodies, four rows of a quarter of `bricks` each, which stand on a
 // plane and on each other. A tool of 2 mm radius strokes along its top.
 MovingScene wall(const std::string& name, std::size_t bricks, std::size_t ticks);
+
+// Returns five layers of tissue, one nested in the other, that a needle pierces and leaves again
+// and again at up to 0.15 m/s, with a sideways motion.
+MovingScene layers(std::size_t ticks);
 
 }  // namespace tactus::host

@@ -182,7 +182,7 @@ void bench_moving(const TickBenchOptions& options) {
   for (const MovingScene& moving :
        {swarm("64 movers near", kCoarse, 1.0, ticks),
         swarm("64 fast movers near", kFine, 5.0, ticks), sheets(ticks), wall("8 bodies", 8, ticks),
-        wall("32 bodies", rendering::kMaxBodies, ticks)}) {
+        wall("32 bodies", rendering::kMaxBodies, ticks), layers(ticks)}) {
     const InstructionCount count = count_instructions(moving.scene, moving.path);
     if (options.json) {
       const nlohmann::ordered_json json{{"bench", "moving"},

@@ -38,6 +38,30 @@ TEST(MovingScenes, FillTheWorldAndAreTouched) {
   }
 }
 
+// The needle pierces all layers, comes out of them, and pierces them again.
+TEST(MovingScenes, ANeedleGoesThroughFiveLayers) {
+  constexpr std::size_t kTicks = 3000;
+  const MovingScene moving = layers(kTicks);
+  const std::vector<std::byte> bytes = write_image(moving.scene);
+  const auto image = rendering::SceneImage::open(bytes);
+  ASSERT_TRUE(image.has_value()) << rendering::describe(image.error().fault);
+  const auto world = std::make_unique<rendering::World>();
+  ASSERT_TRUE(world->set_scene(image->objects(), rendering::world_of(*image)));
+  std::vector<std::ptrdiff_t> entered;
+  for (const Vec3& p : moving.path) {
+    EXPECT_EQ(world->touch({.p_W = p}).flags, rendering::kTouchClean);
+    const std::ptrdiff_t in =
+        std::ranges::count_if(world->needle().layers(), [](const rendering::NeedleLayer& layer) {
+          return layer.phase == rendering::LayerPhase::pierced;
+        });
+    if (entered.empty() || entered.back() != in) {
+      entered.push_back(in);
+    }
+  }
+  EXPECT_EQ(std::ranges::count(entered, 5), 2);
+  EXPECT_GE(std::ranges::count(entered, 0), 2);
+}
+
 // The wall has as many contact points as its figures are about, and stands.
 TEST(MovingScenes, AWallOfBodiesStands) {
   constexpr std::size_t kTicks = 500;
