@@ -86,7 +86,8 @@ class TickWatcher {
   TickWatcher& operator=(const TickWatcher&) = delete;
 
   // A part of `step` has ended; it began at the last call of any of these functions. The first call
-  // of a touch is that of TickStep::tool, where the touch begins. A clock may be read here, because
+  // of a touch is that of TickStep::tool, where the touch begins; of several tools it also comes
+  // where the work for others ends, which is no step of this one. A clock may be read here, because
   // no result of the tick depends on it.
   virtual void see_step(TickStep step) = 0;
   // A sub-goal of the shared proxy is chosen.

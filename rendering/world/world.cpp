@@ -24,6 +24,19 @@ BodyLaws laws_of(const WorldConfig& config) {
       .sleep_after_s = config.sleep_after_s};
 }
 
+// The watch of what a world of several tools does for all of them.
+struct ManyWatched {
+  std::span<TickWatcher* const> watchers;
+
+  void see_step(TickStep step) const {
+    for (TickWatcher* const watcher : watchers) {
+      if (watcher != nullptr) {
+        watcher->see_step(step);
+      }
+    }
+  }
+};
+
 }  // namespace
 
 std::size_t standing_units(std::span<const Object> objects, const WorldConfig& config) {
@@ -179,11 +192,13 @@ void World::step_bodies(std::span<Touch> touches) {
 }
 
 // Every tool may spend an equal share of what the tools before it have left.
-void World::touch_all(std::span<const ToolState> tools, std::span<Touch> touches,
+void World::touch_all(std::span<const ToolState> tools, std::span<Touch> touches, const auto& watch,
                       const auto& touch_number) {
   // A tool that is not given is no number, which holds its proxies.
   constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+  watch.see_step(TickStep::tool);
   std::size_t left = begin_tick();
+  watch.see_step(TickStep::objects);
   for (std::size_t i = 0; i < tool_count_; ++i) {
     const ToolState tool = i < tools.size() ? tools[i] : ToolState{.p_W = Vec3::Constant(kNone)};
     const Touch touch = touch_number(i, tool, left / (tool_count_ - i));
@@ -192,21 +207,31 @@ void World::touch_all(std::span<const ToolState> tools, std::span<Touch> touches
       touches[i] = touch;
     }
   }
+  watch.see_step(TickStep::tool);
   step_bodies(touches);
+  watch.see_step(TickStep::objects);
 }
 
 void World::touch(std::span<const ToolState> tools, std::span<Touch> touches) {
-  touch_all(tools, touches, [this](std::size_t i, const ToolState& tool, std::size_t limit) {
-    return touch_one(i, tool, limit, Unwatched{});
-  });
+  touch_all(tools, touches, Unwatched{},
+            [this](std::size_t i, const ToolState& tool, std::size_t limit) {
+              return touch_one(i, tool, limit, Unwatched{});
+            });
 }
 
 void World::touch(std::span<const ToolState> tools, std::span<Touch> touches,
                   std::span<TickWatcher* const> watchers) {
-  touch_all(tools, touches, [&](std::size_t i, const ToolState& tool, std::size_t limit) {
+  const ManyWatched all{watchers};
+  touch_all(tools, touches, all, [&](std::size_t i, const ToolState& tool, std::size_t limit) {
     TickWatcher* const watcher = i < watchers.size() ? watchers[i] : nullptr;
-    return watcher == nullptr ? touch_one(i, tool, limit, Unwatched{})
-                              : touch_one(i, tool, limit, Watched{*watcher});
+    if (watcher == nullptr) {
+      return touch_one(i, tool, limit, Unwatched{});
+    }
+    // The tools before it are no step of this one.
+    watcher->see_step(TickStep::tool);
+    const Touch touch = touch_one(i, tool, limit, Watched{*watcher});
+    watcher->see_step(TickStep::force);
+    return touch;
   });
 }
 

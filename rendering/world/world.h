@@ -214,8 +214,9 @@ class World {
   Touch touch_watched(const ToolState& tool, TickWatcher& watcher);
   template <class Watch>
   Touch touch_only(const ToolState& tool, Watch watch);
-  // Computes a tick of all tools; touch_number(i, tool, limit) computes one of them.
-  void touch_all(std::span<const ToolState> tools, std::span<Touch> touches,
+  // Computes a tick of all tools; touch_number(i, tool, limit) computes one of them. `watch` sees
+  // the steps of all.
+  void touch_all(std::span<const ToolState> tools, std::span<Touch> touches, const auto& watch,
                  const auto& touch_number);
   // Computes one tool with its effects, within `limit` cost units.
   template <class Watch>
