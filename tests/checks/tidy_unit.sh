@@ -7,9 +7,6 @@ here="$(dirname "${BASH_SOURCE[0]}")"
 
 build="${1#-p=}"
 file="${!#}"
-if [[ "$file" == - ]]; then # run-clang-tidy tries out the settings
-  exec clang-tidy-19 "$@"
-fi
 remembered="${XDG_CACHE_HOME:-$HOME/.cache}/tactus-tidy"
 
 command="$(awk -v file="  \"file\": \"$file\"" '/^  "command": / { command = $0 } index($0, file) == 1 { print command; exit }' \
@@ -35,6 +32,7 @@ key="$(
 if [[ -f "$remembered/$key" ]]; then
   exit 0
 fi
-"$here/clang_tidy.sh" "$@"
+# Other units are read beside this one: what is found is printed at once.
+output="$("$here/clang_tidy.sh" "$@" 2>&1)" || { echo "$output" && exit 1; }
 mkdir -p "$remembered"
 touch "$remembered/$key"

@@ -113,13 +113,14 @@ TEST(TickSteps, OfOneToolHaveNothingOfTheOthers) {
   const testing::Solid ball(testing::icosphere(0.02, 2), rendering::Sides::one, testing::kRough);
   const auto world = std::make_unique<rendering::WorldOf<2>>();
   ASSERT_TRUE(world->set_scene({&ball.object(), 1}, {.tool_radius_m = 0.002, .tool_count = 2}));
-  std::array<Order, 2> orders;
-  const std::array<rendering::TickWatcher*, 2> watchers{&orders[0], &orders[1]};
+  Order one;
+  Order other;
+  const std::array<rendering::TickWatcher*, 2> watchers{&one, &other};
   const rendering::ToolState tool{.p_W = {0.05, 0.0, 0.0}};
   std::array<rendering::Touch, 2> touches;
   world->touch(std::array{tool, tool}, touches, watchers);
-  for (const Order& order : orders) {
-    const std::vector<TickStep>& steps = order.steps;
+  for (const Order* const order : {&one, &other}) {
+    const std::vector<TickStep>& steps = order->steps;
     ASSERT_GE(steps.size(), 7U);
     // The objects move for both; then each has a touch of its own, after what the other's took.
     EXPECT_EQ(steps[0], TickStep::tool);
