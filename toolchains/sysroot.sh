@@ -82,13 +82,32 @@ keep_paths_inside() {
   find "$work/root" -name '*.cmake' -exec sed -i -E 's#([";: ])/usr(["/])#\1${CMAKE_SYSROOT}/usr\2#g' {} +
 }
 
-# Unpacks what was fetched, without programs and texts.
+# Keeps what dpkg-shlibdeps asks about a package: its files, and which versions of it have which symbols.
+keep_record() {
+  local deb="$1" records="$2" control="$work/control" package name file
+  package="$(dpkg-deb --field "$deb" Package)"
+  name="$package"
+  if [[ "$(dpkg-deb --field "$deb" Multi-Arch)" == same ]]; then name="$package:$architecture"; fi
+  dpkg-deb --control "$deb" "$control"
+  { sed '/^Package:/a Status: install ok installed' "$control/control" && echo; } >>"$records/status"
+  dpkg-deb --fsys-tarfile "$deb" | tar --list | sed -n 's/^\.\(.*[^/]\)$/\1/p' >"$records/info/$name.list"
+  for file in symbols shlibs; do
+    if [[ -f "$control/$file" ]]; then mv "$control/$file" "$records/info/$name.$file"; fi
+  done
+  rm -r "$control"
+}
+
+# Unpacks what was fetched, without programs and texts; var/lib/dpkg then has the records of the packages.
 unpack() {
-  local deb
+  local deb records="$work/root/var/lib/dpkg"
   echo "sysroot for $architecture: unpacking $(find "$work/apt/cache/archives" -name '*.deb' | wc -l) packages"
   mkdir "$work/root"
   for deb in "$work"/apt/cache/archives/*.deb; do dpkg -x "$deb" "$work/root"; done
   rm -rf "$work"/root/{bin,etc,sbin,var} "$work"/root/usr/{bin,sbin,src} "$work"/root/usr/share/{doc,info,lintian,locale,man}
+  mkdir -p "$records/info"
+  echo "$architecture" >"$records/arch"
+  echo 1 >"$records/info/format"
+  for deb in "$work"/apt/cache/archives/*.deb; do keep_record "$deb" "$records"; done
 }
 
 case "${1:-}" in

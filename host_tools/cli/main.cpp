@@ -12,12 +12,14 @@
 #include <string>
 #include <string_view>
 #include <system_error>
+#include <vector>
 
 #include "host_tools/cli/bake_verb.h"
 #include "host_tools/cli/bench_verb.h"
 #include "host_tools/cli/certify_verb.h"
 #include "host_tools/cli/commission_verb.h"
 #include "host_tools/cli/compare_verb.h"
+#include "host_tools/cli/completion.h"
 #include "host_tools/cli/doctor_verb.h"
 #include "host_tools/cli/emulate_verb.h"
 #include "host_tools/cli/faults_verb.h"
@@ -109,8 +111,21 @@ int with_output_written(const CLI::App& app, int code) {
                 kNotWritten);
 }
 
+// Prints what a shell may offer for the last word; see completion.h. It is no verb: its words are
+// another command's.
+int print_completions(const CLI::App& app, std::span<char*> words) {
+  for (const std::string& word :
+       tactus::host::completions(app, std::vector<std::string>(words.begin(), words.end()))) {
+    fmt::print("{}\n", word);
+  }
+  return kOk;
+}
+
 int run(CLI::App& app, int argc, char** argv) {
   try {
+    if (argc > 1 && std::string_view(argv[1]) == "complete") {
+      return print_completions(app, std::span(argv, static_cast<std::size_t>(argc)).subspan(2));
+    }
     require_verb(app, {argv, static_cast<std::size_t>(argc)});
     app.parse(argc, argv);
     return kOk;

@@ -107,9 +107,15 @@ void add_plot_verb(CLI::App& app) {
                    "For --frames, the bodies (CSV) of the run; without it the run itself");
   CLI::Option* const against = verb->add_option(
       "--against", options->against, "Another run (CSV), drawn over this one in a third figure");
-  verb->add_option("--format", options->format, "Format of the pictures in a folder")
-      ->transform(CLI::CheckedTransformer(std::map<std::string, PictureFormat>{
-          {"png", PictureFormat::png}, {"svg", PictureFormat::svg}, {"pdf", PictureFormat::pdf}}));
+  verb->add_option("--format", options->format,
+                   "Format of the pictures in a folder: png, svg or pdf")
+      ->type_name("TEXT")
+      ->transform(
+          CLI::CheckedTransformer(std::map<std::string, PictureFormat>{{"png", PictureFormat::png},
+                                                                       {"svg", PictureFormat::svg},
+                                                                       {"pdf", PictureFormat::pdf}})
+              // It would print the formats' numbers.
+              .description(""));
   add_steps_options(*verb, options->steps);
   verb->get_option("--explain")->excludes(against);
   verb->add_flag("--transitions", options->transitions,

@@ -2,4 +2,4 @@
 # The scripts have nothing that shellcheck would find.
 set -euo pipefail
 source tests/checks/tracked_files.sh
-tracked_files '*.sh' .ci/run host_tools/rig/init | xargs -d '\n' shellcheck --external-sources
+tracked_files '*.sh' '*.bash' .ci/run host_tools/rig/init | xargs -d '\n' shellcheck --external-sources

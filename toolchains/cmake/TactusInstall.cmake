@@ -1,5 +1,6 @@
-# cmake --install: the controller's libraries with their headers, the tactus program, and the CMake package by which
-# another project says find_package(tactus) and links tactus::rendering or tactus::firmware.
+# cmake --install: the controller's libraries with their headers, the tactus program with its examples, and the CMake package by which
+# another project says find_package(tactus) and links tactus::rendering or tactus::firmware. Debian's packages are made of the same
+# files: debian/*.install says which package has which.
 
 include(CMakePackageConfigHelpers)
 
@@ -12,6 +13,8 @@ install(DIRECTORY rendering hal drivers firmware DESTINATION "${TACTUS_INSTALL_I
         FILES_MATCHING PATTERN "*.h")
 if(TARGET tactus)
   install(TARGETS tactus RUNTIME DESTINATION "${CMAKE_INSTALL_BINDIR}")
+  install(DIRECTORY host_tools/examples DESTINATION "${CMAKE_INSTALL_DATADIR}/tactus" USE_SOURCE_PERMISSIONS PATTERN out EXCLUDE)
+  install(FILES host_tools/cli/completion.bash DESTINATION "${CMAKE_INSTALL_DATADIR}/bash-completion/completions" RENAME tactus)
 endif()
 install(FILES LICENSE README.md CHANGELOG.md DESTINATION "${CMAKE_INSTALL_DOCDIR}")
 
