@@ -24,6 +24,7 @@ all_stages=(
   "guides            guides.sh"
   "mutations         mutations.sh"
   "install           install_package.sh"
+  "packages          debian_packages.sh"
   "packages-list     packages_come_from_one_list.sh"
   "shell             shell.sh"
   "tidy              tidy.sh"
@@ -31,6 +32,8 @@ all_stages=(
 soak_stages=(
   "alone             build.sh alone"
   "aarch64-tools     linux_board.sh aarch64 arm64 qemu-aarch64-static all"
+  "packages-arm64    debian_packages.sh arm64"
+  "packages-armhf    debian_packages.sh armhf"
   "armhf             linux_board.sh armhf-quick armhf qemu-arm-static tactus tactusd firmware_tests"
 )
 known_stages=("${stages[@]}" "${all_stages[@]}" "${soak_stages[@]}")
@@ -117,7 +120,7 @@ run_stage() {
 }
 
 groups=(demo tests)
-if [[ -n "$all" || -n "${TACTUS_SOAK:-}" || ${#only[@]} -gt 0 ]]; then groups+=(rig aarch64 cortex-m7); fi
+if [[ -n "$all" || -n "${TACTUS_SOAK:-}" || ${#only[@]} -gt 0 ]]; then groups+=(rig aarch64 cortex-m7 packaging); fi
 if [[ -n "${TACTUS_SOAK:-}" || ${#only[@]} -gt 0 ]]; then groups+=(armhf); fi
 toolchains/install-packages.sh "${groups[@]}"
 for stage in "${stages[@]}"; do

@@ -48,6 +48,9 @@ copy_checkout() {
   if [[ -d "$kept" ]]; then mv "$kept" "$source/build"; fi
 }
 
+# debhelper asks for these words where it makes packages for another processor; tests/run.sh runs the tests.
+say_cross_build() { export DEB_BUILD_PROFILES="cross nocheck" DEB_BUILD_OPTIONS=nocheck; }
+
 # The sysroot is seen within the copy, where the compiler's command line is the same as in the checkout. dpkg's records of its
 # packages name its files where they are.
 link_sysroot() {
@@ -63,7 +66,10 @@ link_sysroot() {
 }
 
 copy_checkout
-if [[ "$architecture" != "$machine" ]]; then link_sysroot; fi
+if [[ "$architecture" != "$machine" ]]; then
+  link_sysroot
+  say_cross_build
+fi
 
 # The objects of another checkout, or of another build of this one, are taken from the cache.
 # debhelper gives its programs a home folder of their own, in which that cache is not.

@@ -1,5 +1,5 @@
 # The part of a toolchain file that Linux boards share: libraries come from the sysroot that toolchains/sysroot.sh makes, and
-# programs run here through qemu-user. The file that includes it says TACTUS_TRIPLET, TACTUS_DEBIAN_ARCHITECTURE, TACTUS_EMULATOR.
+# programs run here through qemu-user. A sysroot that is not there is made. The file that includes it says TACTUS_TRIPLET, TACTUS_DEBIAN_ARCHITECTURE, TACTUS_EMULATOR.
 set(CMAKE_SYSTEM_NAME Linux)
 
 set(TACTUS_SYSROOT "${CMAKE_CURRENT_LIST_DIR}/../../build/sysroot/${TACTUS_DEBIAN_ARCHITECTURE}" CACHE PATH
@@ -7,8 +7,12 @@ set(TACTUS_SYSROOT "${CMAKE_CURRENT_LIST_DIR}/../../build/sysroot/${TACTUS_DEBIA
 list(APPEND CMAKE_TRY_COMPILE_PLATFORM_VARIABLES TACTUS_SYSROOT)
 get_filename_component(CMAKE_SYSROOT "${TACTUS_SYSROOT}" ABSOLUTE)
 if(NOT EXISTS "${CMAKE_SYSROOT}/made-of")
-  message(FATAL_ERROR
-    "No libraries for ${TACTUS_DEBIAN_ARCHITECTURE} in ${CMAKE_SYSROOT}: run toolchains/sysroot.sh ${TACTUS_DEBIAN_ARCHITECTURE}")
+  execute_process(
+    COMMAND "${CMAKE_CURRENT_LIST_DIR}/../sysroot.sh" "${TACTUS_DEBIAN_ARCHITECTURE}" "${CMAKE_SYSROOT}"
+    RESULT_VARIABLE has_failed)
+  if(has_failed)
+    message(FATAL_ERROR "No libraries for ${TACTUS_DEBIAN_ARCHITECTURE} in ${CMAKE_SYSROOT}; the messages of toolchains/sysroot.sh say why")
+  endif()
 endif()
 
 set(CMAKE_CXX_COMPILER ${TACTUS_TRIPLET}-g++)

@@ -1,0 +1,153 @@
+#!/usr/bin/env bash
+# debian_packages.sh [ARCHITECTURE]: makes the Debian packages, reads them as Debian would, and uses those of this machine's processor from
+# an empty folder. With --soak it also installs them by apt into a clean Debian 12 that mmdebstrap makes (as root).
+set -euo pipefail
+machine="$(dpkg --print-architecture)"
+architecture="${1:-$machine}"
+packages="build/packages/$architecture"
+work="$(mktemp -d)"
+trap 'rm -rf "$work"' EXIT
+root="$work/root"
+
+fail() { echo "packages: $*" >&2 && exit 1; }
+
+# The control file is the second list of what a build needs; it says no less and no more than the first.
+build_depends_follow_the_list() {
+  local wanted listed
+  wanted="$(toolchains/install-packages.sh --list libraries | cut -d / -f 1 | sort)"
+  listed="$(sed -n '/^Build-Depends:/,/^[A-Z].*:/p' debian/control | grep -oE '[a-z0-9.+-]+-dev\b|nlohmann-json3-dev' | sort)"
+  diff <(echo "$wanted") <(echo "$listed") ||
+    fail "Build-Depends in debian/control (right) are not the group [libraries] of toolchains/packages.txt (left)"
+}
+
+has() { grep -qx "\./$2" < <(dpkg --contents "$packages/$1"_*.deb | awk '{print $6}') || fail "$1 has no $2"; }
+
+contents_are_complete() {
+  has tactus usr/bin/tactus
+  has tactus usr/share/bash-completion/completions/tactus
+  has tactus usr/share/tactus/examples/bunny/scene.toml
+  has tactus usr/share/man/man1/tactus-bake.1.gz
+  has tactusd usr/bin/tactusd
+  has tactusd etc/tactus/tactusd.env
+  has tactusd etc/security/limits.d/90-tactus.conf
+  has tactusd lib/systemd/system/tactusd.service
+  has tactusd lib/udev/rules.d/99-tactus.rules
+  has tactusd usr/lib/sysctl.d/90-tactus.conf
+  has tactusd usr/lib/sysusers.d/tactus.conf
+  has tactusd usr/share/man/man8/tactusd.8.gz
+  has libtactus-dev usr/include/tactus/rendering/world/world.h
+  has libtactus-dev 'usr/lib/[^/]*/libtactus_rendering.a'
+  has libtactus-dev 'usr/lib/[^/]*/cmake/tactus/tactusConfig.cmake'
+}
+
+dependencies_are_found() {
+  local package
+  for package in tactus tactusd; do
+    dpkg-deb --field "$packages/$package"_*.deb Depends | grep -q 'libgpiod3 (>= .*libstdc++6 (>= ' ||
+      fail "$package does not say which libraries it needs: $(dpkg-deb --field "$packages/$package"_*.deb Depends)"
+  done
+  dpkg-deb --field "$packages"/tactusd_*.deb Version | grep -qx "$(sed -n 's/^project(tactus VERSION \([0-9.]*\) .*/\1/p' CMakeLists.txt)" ||
+    fail "the version is not that of CMakeLists.txt"
+}
+
+programs_run() {
+  local scene="$work/ramp.tactus"
+  "$root/usr/bin/tactus" --version
+  "$root/usr/bin/tactusd" --version
+  "$root/usr/bin/tactus" bake "$root/usr/share/tactus/examples/heart/scene.toml" -o "$scene"
+  "$root/usr/bin/tactus" touch "$scene" --path "$root/usr/share/tactus/examples/heart/stroke.csv" --output "$work/touch.csv"
+  [[ "$(wc -l <"$work/touch.csv")" -gt 100 ]] || fail "tactus touch wrote no run"
+  host_tools/bunny_mesh.sh "$work/bunny00.off"
+  cp "$root"/usr/share/tactus/examples/bunny/* "$work"
+  (cd "$work" && "$root/usr/bin/tactus" bake scene.toml && "$root/usr/bin/tactus" touch scene.tactus --path wish.csv --output bunny.csv)
+}
+
+# Every page formats without a warning, and has a name, a synopsis and, for a verb that --help lists, its options.
+pages_read_well() {
+  local page text verb
+  for page in "$root"/usr/share/man/man?/*.gz; do
+    text="$(MANROFFSEQ='' MANWIDTH=100 man --warnings --local-file "$page" 2>"$work/warnings" | col -bx | tr -s " ")"
+    [[ ! -s "$work/warnings" ]] || fail "$page: $(cat "$work/warnings")"
+    for section in NAME SYNOPSIS OPTIONS; do
+      grep -q "^$section" <<<"$text" || fail "$page has no $section"
+    done
+    grep -q "^ *$(basename "$page" | cut -d . -f 1) - [A-Za-z]" <<<"$text" || fail "$page does not say what the program does"
+  done
+  for verb in $("$root/usr/bin/tactus" --help | sed -n '/^Subcommands:/,/^$/s/^  \([a-z]*\)  .*/\1/p'); do
+    [[ -f "$root/usr/share/man/man1/tactus-$verb.1.gz" ]] || fail "there is no page of tactus $verb"
+  done
+}
+
+# Prints what bash offers for the last word of the command line.
+offered() {
+  # shellcheck disable=SC2016  # the inner shell's own
+  PATH="$root/usr/bin:$PATH" bash --norc --noprofile -c '
+    source /usr/share/bash-completion/bash_completion
+    source "$1" && shift
+    COMP_WORDS=("$@") COMP_CWORD=$(($# - 1)) COMP_LINE="$*" COMP_POINT=${#COMP_LINE}
+    [[ "$(complete -p "$1")" =~ -F\ ([a-z_]+) ]] && "${BASH_REMATCH[1]}" "$1" "${!#}" "${COMP_WORDS[-2]}"
+    echo "${COMPREPLY[*]}"' bash "$root/usr/share/bash-completion/completions/tactus" "$@"
+}
+
+completes() {
+  local wanted="$1"
+  shift
+  [[ "$(offered "$@")" == "$wanted" ]] || fail "bash offers '$(offered "$@")' for '$*', not '$wanted'"
+}
+
+shell_completes() {
+  completes bench tactus be
+  completes odrive tactus emulate o
+  completes '--json' tactus bake --j
+  completes 'on off' tactus record ''
+  completes 'svg' tactus plot run.csv --format s
+  completes 'elasto_plastic' tactus friction --model el
+  completes '' tactus bake sce
+  completes '--flight-dir' tactusd --fl
+}
+
+# A project outside of Tactus, by what the package's root has and nothing else.
+libraries_are_found() {
+  cp -r "$root/usr/share/tactus/examples/embedding" "$work/embedding"
+  cmake -S "$work/embedding" -B "$work/build" -G Ninja -DCMAKE_BUILD_TYPE=Release -DCMAKE_PREFIX_PATH="$root/usr"
+  cmake --build "$work/build"
+  grep -q "tactus_DIR:PATH=$root/usr" "$work/build/CMakeCache.txt" || fail "the example has found another installation"
+  "$work/build/two_fingers"
+}
+
+# Prints the apt sources of a clean Debian 12 with backports, from this machine's mirror.
+bookworm_sources() {
+  local uri
+  # shellcheck disable=SC2016  # apt fills it in
+  uri="$(apt-get indextargets --format '$(REPO_URI)' 'Created-By: Packages' 'Codename: bookworm' | head -n 1)"
+  printf 'deb %s %s main\n' "$uri" bookworm "$uri" bookworm-backports
+}
+
+# apt resolves the packages and what they need; the program runs on an example, and the service knows that there is nothing to run yet.
+apt_installs_on_a_clean_debian() {
+  local clean="$work/clean"
+  bookworm_sources | mmdebstrap --variant=apt --quiet bookworm "$clean" -
+  cp "$packages"/*.deb "$clean/tmp/"
+  cp /etc/resolv.conf "$clean/etc/"
+  in_clean() { chroot "$clean" env DEBIAN_FRONTEND=noninteractive LC_ALL=C.UTF-8 "$@"; }
+  in_clean sh -c 'apt-get -qq update && apt-get -q --yes --no-install-recommends install /tmp/*.deb' || fail "apt cannot install the packages"
+  in_clean sh -c 'cd /tmp && tactus bake /usr/share/tactus/examples/heart/scene.toml -o scene.tactus &&
+    tactus touch scene.tactus --path /usr/share/tactus/examples/heart/stroke.csv --output touch.csv && wc -l touch.csv'
+  in_clean sh -c 'getent passwd tactus && systemctl is-enabled tactusd && tactusd --version'
+  in_clean sh -c 'apt-get -qq --yes purge tactusd tactus libtactus-dev && ! test -e /etc/tactus' || fail "apt cannot remove the packages"
+}
+
+build_depends_follow_the_list
+toolchains/debian-packages.sh "$architecture"
+lintian --allow-root --display-info --fail-on error,warning,info "$packages"/*.changes
+contents_are_complete
+dependencies_are_found
+if [[ "$architecture" == "$machine" ]]; then
+  for package in "$packages"/*.deb; do dpkg --extract "$package" "$root"; done
+  programs_run
+  pages_read_well
+  shell_completes
+  libraries_are_found
+  if [[ -n "${TACTUS_SOAK:-}" ]]; then apt_installs_on_a_clean_debian; fi
+fi
+echo "packages: those for $architecture are complete"
