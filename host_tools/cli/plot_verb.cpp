@@ -4,7 +4,6 @@
 
 #include <CLI/CLI.hpp>
 #include <filesystem>
-#include <map>
 #include <memory>
 #include <string>
 
@@ -14,6 +13,7 @@
 #include "host_tools/cli/plot_transitions.h"
 #include "host_tools/files/output_place.h"
 #include "host_tools/plot/figures.h"
+#include "host_tools/plot/gnuplot.h"
 #include "host_tools/plot/run_data.h"
 
 namespace tactus::host {
@@ -61,17 +61,22 @@ struct PlotOptions {
   std::string output;
   std::string against;
   std::string bodies;
-  PictureFormat format = PictureFormat::png;
+  std::string format = "png";
   std::shared_ptr<StepsPlotOptions> steps = std::make_shared<StepsPlotOptions>();
   bool transitions = false;
 };
+
+// Returns the format of that name.
+PictureFormat format_named(const std::string& name) {
+  return picture_format("picture." + name);
+}
 
 void run_plot(const PlotOptions& options) {
   const RunData run = read_run(options.run);
   const MappedScene scene(options.scene);
   const std::filesystem::path csv(options.run);
   const FigureFiles files = figure_files(options.output.empty() ? "./" : options.output,
-                                         csv.stem().string(), options.format);
+                                         csv.stem().string(), format_named(options.format));
   keep_inputs_safe({files.force, files.path, files.against},
                    {options.run, options.against, options.scene});
   make_folder_of(files.force);
@@ -107,15 +112,9 @@ void add_plot_verb(CLI::App& app) {
                    "For --frames, the bodies (CSV) of the run; without it the run itself");
   CLI::Option* const against = verb->add_option(
       "--against", options->against, "Another run (CSV), drawn over this one in a third figure");
-  verb->add_option("--format", options->format,
-                   "Format of the pictures in a folder: png, svg or pdf")
-      ->type_name("TEXT")
-      ->transform(
-          CLI::CheckedTransformer(std::map<std::string, PictureFormat>{{"png", PictureFormat::png},
-                                                                       {"svg", PictureFormat::svg},
-                                                                       {"pdf", PictureFormat::pdf}})
-              // It would print the formats' numbers.
-              .description(""));
+  verb->add_option("--format", options->format, "Format of the pictures in a folder")
+      ->check(CLI::IsMember({"png", "svg", "pdf"}))
+      ->capture_default_str();
   add_steps_options(*verb, options->steps);
   verb->get_option("--explain")->excludes(against);
   verb->add_flag("--transitions", options->transitions,
@@ -125,7 +124,8 @@ void add_plot_verb(CLI::App& app) {
   verb->footer(kPlotExamples);
   verb->callback([options] {
     if (options->transitions) {
-      plot_transitions(options->run, options->scene, options->output, options->format);
+      plot_transitions(options->run, options->scene, options->output,
+                       format_named(options->format));
       return;
     }
     if (options->scene.empty()) {
@@ -136,13 +136,13 @@ void add_plot_verb(CLI::App& app) {
                    .bodies = options->bodies,
                    .scene = options->scene,
                    .output = options->output.empty() ? "./" : options->output,
-                   .format = options->format,
+                   .format = format_named(options->format),
                    .frames = options->steps->frames});
     } else if (options->steps->is_wanted) {
       draw_steps(*options->steps, {.steps = options->run,
                                    .scene = options->scene,
                                    .output = options->output.empty() ? "./" : options->output,
-                                   .format = options->format});
+                                   .format = format_named(options->format)});
     } else {
       run_plot(*options);
     }

@@ -149,6 +149,11 @@ TEST_F(TickFiguresTest, FramesAreNumberedInANewFolder) {
             std::string::npos);
 }
 
+TEST_F(TickFiguresTest, AnotherFormatIsRefusedWithTheThreeThatThereAre) {
+  EXPECT_NE(plot("--tick 870 --format gif", "gem", 2).find("gif not in {png,svg,pdf}"),
+            std::string::npos);
+}
+
 TEST_F(TickFiguresTest, WhatCannotBeDrawnIsRefusedWithTheRemedy) {
   const auto refused = [&](const std::string& arguments, const std::string& message) {
     const std::string output = plot(arguments, "gem", 2);
