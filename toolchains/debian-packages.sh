@@ -2,6 +2,7 @@
 # Makes Debian packages of this checkout for one processor; see --help.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
+source tests/checks/tracked_files.sh
 
 usage() {
   cat <<END
@@ -42,9 +43,7 @@ copy_checkout() {
   if [[ -d "$source/build" ]]; then mv "$source/build" "$kept"; fi
   rm -rf "$source"
   mkdir -p "$source"
-  git ls-files --cached --others --exclude-standard -z | while IFS= read -r -d '' file; do
-    if [[ -e "$file" ]]; then printf '%s\0' "$file"; fi
-  done | tar --create --null --files-from=- | tar --extract --directory "$source"
+  tracked_files '*' | xargs -d '\n' cp --parents --preserve=mode,timestamps -t "$source"
   if [[ -d "$kept" ]]; then mv "$kept" "$source/build"; fi
 }
 
@@ -75,7 +74,7 @@ fi
 # debhelper gives its programs a home folder of their own, in which that cache is not.
 CCACHE_DIR="$(ccache --get-config cache_dir)"
 export CCACHE_DIR CCACHE_BASEDIR="$PWD/$source" CCACHE_NOHASHDIR=true
-SOURCE_DATE_EPOCH="$(git log -1 --format=%ct 2>/dev/null || date +%s)"
+SOURCE_DATE_EPOCH="$(git -c safe.directory="$PWD" log -1 --format=%ct 2>/dev/null || date +%s)"
 export SOURCE_DATE_EPOCH
 # -nc: the build goes on; -d: a board's libraries are in the sysroot, and of this machine's packages toolchains/packages.txt decides.
 (cd "$source" && dpkg-buildpackage --host-arch "$architecture" --build=binary --no-sign --no-pre-clean --no-check-builddeps \

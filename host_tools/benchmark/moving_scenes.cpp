@@ -40,6 +40,14 @@ BakedObject moving_object(std::string name, const TriangleMesh& mesh,
           .motion = {.moves = true, .motion = motion}};
 }
 
+// Returns an object of the primitive, with the mesh that pictures show.
+BakedObject shaped_object(std::string name, const rendering::Primitive& shape) {
+  BakedObject object{.name = std::move(name)};
+  object.shape = shape;
+  object.mesh = bake_mesh(picture_of(object.shape, {}, object.sides).mesh);
+  return object;
+}
+
 // Returns a level square of `side` times `side` vertices about the middle of the world, at a
 // height.
 TriangleMesh level_square(std::uint32_t side, double length_m, double height_m) {
@@ -132,9 +140,8 @@ MovingScene wall(const std::string& name, std::size_t bricks, std::size_t ticks)
   // The gaps between bricks of a row: they are near each other, and their contacts count.
   constexpr double kBrickGap_m = 4e-4;
   MovingScene wall{.name = name, .scene = {.tool_radius_m = kPathRadius_m}};
-  BakedObject floor{.name = "floor", .material = {.friction = rendering::cone_friction(0.6, 0.4)}};
-  floor.shape = rendering::Primitive{.kind = rendering::PrimitiveKind::plane};
-  floor.mesh = bake_mesh(picture_of(floor.shape, {}, floor.sides).mesh);
+  BakedObject floor = shaped_object("floor", {.kind = rendering::PrimitiveKind::plane});
+  floor.material = {.friction = rendering::cone_friction(0.6, 0.4)};
   wall.scene.objects.push_back(std::move(floor));
   for (std::size_t i = 0; i < bricks; ++i) {
     const auto row = static_cast<double>(i % kRows);
@@ -147,11 +154,8 @@ MovingScene wall(const std::string& name, std::size_t bricks, std::size_t ticks)
     const rendering::Primitive box{.kind = rendering::PrimitiveKind::box,
                                    .X_WO = {.translation = place},
                                    .dimensions_m = {half.x(), half.y(), half.z()}};
-    BakedObject brick{
-        .name = "brick " + std::to_string(i),
-        .material = {.stiffness_N_per_m = 1000.0, .friction = rendering::cone_friction(0.6, 0.4)}};
-    brick.shape = box;
-    brick.mesh = bake_mesh(picture_of(brick.shape, {}, brick.sides).mesh);
+    BakedObject brick = shaped_object("brick " + std::to_string(i), box);
+    brick.material = {.stiffness_N_per_m = 1000.0, .friction = rendering::cone_friction(0.6, 0.4)};
     brick.motion.moves = true;
     std::vector<std::string> warnings;
     brick.body = bake_body({.mass_kg = kBrick_kg}, brick.shape, {}, {}, warnings);
@@ -184,11 +188,10 @@ MovingScene layers(std::size_t ticks) {
     const Vec3 half(0.5 * kWide_m - inset_m, 0.5 * (kDeep_m - inset_m), 0.5 * kWide_m - inset_m);
     // Every layer begins deeper than the one around it, and ends before it.
     const Vec3 middle(0.0, -0.5 * kDeep_m - 0.25 * inset_m, 0.0);
-    BakedObject layer{.name = "layer " + std::to_string(i)};
-    layer.shape = rendering::Primitive{.kind = rendering::PrimitiveKind::box,
+    BakedObject layer = shaped_object("layer " + std::to_string(i),
+                                      {.kind = rendering::PrimitiveKind::box,
                                        .X_WO = {.translation = middle},
-                                       .dimensions_m = {half.x(), half.y(), half.z()}};
-    layer.mesh = bake_mesh(picture_of(layer.shape, {}, layer.sides).mesh);
+                                       .dimensions_m = {half.x(), half.y(), half.z()}});
     const rendering::ShaftFriction friction{
         .static_N_per_m = 30.0, .dynamic_N_per_m = 20.0, .viscous_Ns_per_m2 = 200.0};
     layer.tissue = rendering::Tissue{.stiffness_N_per_m = 200.0,

@@ -15,19 +15,15 @@ bool takes_value(const CLI::Option& option) {
 }
 
 // Returns the values that CLI11's own checks admit. They stand in the name of the option's type:
-// TEXT:{on,off}, or ENUM:value in {png->0,svg->1} for names with a meaning.
+// TEXT:{on,off}.
 std::vector<std::string> checked_values(const CLI::Option& option) {
   const std::string type = option.get_type_name();
   const std::size_t begin = type.find('{');
   const std::size_t end = type.find('}', begin);
-  std::vector<std::string> values;
   if (begin == std::string::npos || end == std::string::npos) {
-    return values;
+    return {};
   }
-  for (std::string& value : CLI::detail::split(type.substr(begin + 1, end - begin - 1), ',')) {
-    values.push_back(value.substr(0, value.find("->")));
-  }
-  return values;
+  return CLI::detail::split(type.substr(begin + 1, end - begin - 1), ',');
 }
 
 std::vector<std::string> values_of(const CLI::Option& option) {

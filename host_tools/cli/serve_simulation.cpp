@@ -42,7 +42,7 @@ std::uint64_t clock_now_ns() {
 class ServedSimulation {
  public:
   ServedSimulation(const std::filesystem::path& scene, const RunOptions& run, ServeOptions options)
-      : options_(std::move(options)), rate_hz_(run.rate_hz), presets_(run.devices) {
+      : options_(std::move(options)), rate_hz_(run.rate_hz) {
     const rendering::SceneImage& image = open(scene);
     RunPlan plan = plan_run(run, image.objects(), image.tool_radius_m());
     for (SimulationConfig& config : plan.devices) {
@@ -58,7 +58,7 @@ class ServedSimulation {
     if (run.seconds) {
       ticks_ = static_cast<std::uint64_t>(*run.seconds * rate_hz_);
     }
-    serve();
+    serve(run.devices);
   }
 
   // Ticks in wall-clock time until the time is over or a signal comes.
@@ -91,7 +91,7 @@ class ServedSimulation {
   }
 
   // Starts the services of all devices.
-  void serve() {
+  void serve(const std::vector<std::string>& presets) {
     for (std::size_t i = 0; i < simulation_->device_count(); ++i) {
       devices_.push_back(std::make_unique<ServedDevice>(i, options_.run_dir));
       devices_[i]->start_telemetry(*simulation_, *scenes_, rate_hz_, options_);
@@ -99,7 +99,7 @@ class ServedSimulation {
         companions_.push_back(&devices_[i]->telemetry().writer());
       }
     }
-    name_devices();
+    name_devices(presets);
     devices_.front()->telemetry().sinks().companions = companions_;
     for (std::size_t i = 0; i < devices_.size(); ++i) {
       devices_[i]->start_commands(i == 0 ? scenes_.get() : nullptr, options_.allow_inject);
@@ -107,8 +107,8 @@ class ServedSimulation {
   }
 
   // Links the names of the presets where they tell the devices apart.
-  void name_devices() const {
-    std::vector<std::string_view> names(presets_.begin(), presets_.end());
+  void name_devices(const std::vector<std::string>& presets) const {
+    std::vector<std::string_view> names(presets.begin(), presets.end());
     if (names.size() < simulation_->device_count()) {
       names.clear();  // one preset stands for all devices
     }
@@ -137,8 +137,6 @@ class ServedSimulation {
 
   ServeOptions options_;
   double rate_hz_;
-  // The presets of the devices; one may stand for all.
-  std::vector<std::string> presets_;
   // The ticks that are left.
   std::uint64_t ticks_ = std::numeric_limits<std::uint64_t>::max();
   // It has a megabyte, too much for the stack. Members are destroyed in reverse order: the servers

@@ -140,11 +140,9 @@ template <class Watch>
 ImplicitRest ImplicitTick::run(const Watch& watch) {
   const std::size_t budget = field_.left();
   for (bool is_over = false; !is_over;) {
-    [[maybe_unused]] const Vec3 from_O = state_.p_O;
+    const Vec3 from_O = state_.p_O;
     is_over = step();
-    if constexpr (Watch::kSees) {
-      watch.see(watched(from_O));
-    }
+    watch.see(watched(from_O));
     if (!is_over) {
       ++rest_.sub_goals;
     }

@@ -110,8 +110,6 @@ class TickWatcher {
 // The watch of an object in a tick that a watcher sees.
 class ObjectWatched {
  public:
-  static constexpr bool kSees = true;
-
   ObjectWatched(TickWatcher& watcher, const WatchedObject& object)
       : watcher_(watcher), object_(object) {}
 
@@ -129,8 +127,6 @@ class ObjectWatched {
 // The watch of a tick that a watcher sees.
 class Watched {
  public:
-  static constexpr bool kSees = true;
-
   explicit Watched(TickWatcher& watcher) : watcher_(watcher) {}
 
   void see_step(TickStep step) const { watcher_.see_step(step); }

@@ -164,12 +164,12 @@ Touch World::touch_only(const ToolState& tool, Watch watch) {
   return touch;
 }
 
-Touch World::touch_unwatched(const ToolState& tool) {
+Touch World::touch(const ToolState& tool) {
   return touch_only(tool, Unwatched{});
 }
 
-Touch World::touch_watched(const ToolState& tool, TickWatcher& watcher) {
-  return touch_only(tool, Watched{watcher});
+Touch World::touch(const ToolState& tool, TickWatcher* watcher) {
+  return watcher == nullptr ? touch(tool) : touch_only(tool, Watched{*watcher});
 }
 
 void World::step_bodies(std::span<Touch> touches) {

@@ -163,10 +163,9 @@ class World {
   // solver: the impulse on the body over the period (rendering/bodies).
   //
   // Real time: no heap, no exceptions, bounded time; limits that were reached are in Touch::flags.
-  // `watcher` sees the moves if it is not null; a call without one has no instruction for it.
-  Touch touch(const ToolState& tool, TickWatcher* watcher = nullptr) {
-    return watcher == nullptr ? touch_unwatched(tool) : touch_watched(tool, *watcher);
-  }
+  Touch touch(const ToolState& tool);
+  // The same; `watcher` sees the moves if it is not null.
+  Touch touch(const ToolState& tool, TickWatcher* watcher);
 
   // Computes one tick of all tools; touches[i] is of tools[i]. Tools do not feel each other but
   // through the bodies that they hold. A tool without a state in `tools` counts as invalid.
@@ -209,9 +208,7 @@ class World {
   // Moves the objects to their places in this tick. Returns the cost units that are left for the
   // contacts of all tools.
   std::size_t begin_tick();
-  // Compute a tick of one tool.
-  Touch touch_unwatched(const ToolState& tool);
-  Touch touch_watched(const ToolState& tool, TickWatcher& watcher);
+  // Computes a tick of the first tool.
   template <class Watch>
   Touch touch_only(const ToolState& tool, Watch watch);
   // Computes a tick of all tools; touch_number(i, tool, limit) computes one of them. `watch` sees

@@ -106,15 +106,6 @@ shell_completes() {
   completes '--flight-dir' tactusd --fl
 }
 
-# A project outside of Tactus, by what the package's root has and nothing else.
-libraries_are_found() {
-  cp -r "$root/usr/share/tactus/examples/embedding" "$work/embedding"
-  cmake -S "$work/embedding" -B "$work/build" -G Ninja -DCMAKE_BUILD_TYPE=Release -DCMAKE_PREFIX_PATH="$root/usr"
-  cmake --build "$work/build"
-  grep -q "tactus_DIR:PATH=$root/usr" "$work/build/CMakeCache.txt" || fail "the example has found another installation"
-  "$work/build/two_fingers"
-}
-
 # Prints the apt sources of a clean Debian 12 with backports, from this machine's mirror.
 bookworm_sources() {
   local uri
@@ -152,7 +143,7 @@ if [[ "$architecture" == "$machine" ]]; then
   programs_run
   pages_read_well
   shell_completes
-  libraries_are_found
+  tests/checks/embedding.sh "$root/usr"
   if [[ -n "${TACTUS_SOAK:-}" ]]; then apt_installs_on_a_clean_debian; fi
 fi
 echo "packages: those for $architecture are complete"

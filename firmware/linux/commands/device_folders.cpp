@@ -1,7 +1,6 @@
 #include "firmware/linux/commands/device_folders.h"
 
 #include <dirent.h>
-#include <fcntl.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -10,28 +9,25 @@
 #include <climits>
 #include <cstddef>
 #include <cstdio>
-
-#include "hal/linux/system.h"
+#include <iterator>
+#include <memory>
 
 namespace tactus::firmware {
 namespace {
 
-// Removes the links of an earlier run from the folder. Returns 0 or errno.
-int remove_links(int folder) {
-  const int listed = ::dup(folder);
-  DIR* const entries = listed < 0 ? nullptr : ::fdopendir(listed);
-  if (entries == nullptr) {
-    return errno;
-  }
+struct CloseFolder {
+  void operator()(DIR* folder) const { ::closedir(folder); }
+};
+
+// Removes the links of an earlier run from the folder.
+void remove_links(DIR* folder) {
   // One thread starts a program, so nothing else reads this folder's entries.
   // NOLINTNEXTLINE(concurrency-mt-unsafe)
-  while (const dirent* const entry = ::readdir(entries)) {
+  while (const dirent* const entry = ::readdir(folder)) {
     if (entry->d_type == DT_LNK) {
-      (void)::unlinkat(folder, std::begin(entry->d_name), 0);
+      (void)::unlinkat(::dirfd(folder), std::begin(entry->d_name), 0);
     }
   }
-  ::closedir(entries);
-  return 0;
 }
 
 bool can_be_file(std::string_view name) {
@@ -77,14 +73,15 @@ int link_device_names(const char* run_dir, std::span<const std::string_view> nam
   if (const int failed = make_device_folder(path.data(), status); failed != 0) {
     return failed;
   }
-  const hal::FileDescriptor folder(::open(path.data(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
-  if (!folder.is_open()) {
+  const std::unique_ptr<DIR, CloseFolder> folder(::opendir(path.data()));
+  if (folder == nullptr) {
     return errno;
   }
-  int failed = remove_links(folder.get());
+  remove_links(folder.get());
+  int failed = 0;
   for (std::size_t i = 0; i < names.size() && failed == 0; ++i) {
     if (can_be_file(names[i]) && std::ranges::count(names, names[i]) == 1) {
-      failed = link_name(folder.get(), names[i], i);
+      failed = link_name(::dirfd(folder.get()), names[i], i);
     }
   }
   return failed;
