@@ -140,9 +140,11 @@ template <class Watch>
 ImplicitRest ImplicitTick::run(const Watch& watch) {
   const std::size_t budget = field_.left();
   for (bool is_over = false; !is_over;) {
-    const Vec3 from_O = state_.p_O;
+    [[maybe_unused]] const Vec3 from_O = state_.p_O;
     is_over = step();
-    watch.see(watched(from_O));
+    if constexpr (Watch::kSees) {
+      watch.see(watched(from_O));
+    }
     if (!is_over) {
       ++rest_.sub_goals;
     }

@@ -56,22 +56,21 @@ enum class Next : std::uint8_t {
   end,    // the tick ends here
 };
 
-// The moves of one tick.
+// The moves of one tick, which `Watch` sees (tick_watch.h). All of it is compiled for each kind:
+// functions that two kinds call would not be inlined.
+template <class Watch>
 class ProxyTick {
  public:
-  ProxyTick(const ProxyMove& tick, const MovingProxy& proxy)
-      : tick_(tick), near_(tick.near), proxy_(proxy), end_(proxy.state, tick.h_W) {
+  ProxyTick(const ProxyMove& tick, const MovingProxy& proxy, Watch watch)
+      : tick_(tick), near_(tick.near), proxy_(proxy), watch_(watch), end_(proxy.state, tick.h_W) {
     proxy.state.is_settled = false;
   }
 
-  // Takes sub-goals until the tick ends. `watch` sees them.
-  template <class Watch>
-  void run(Watch watch);
+  void run();
 
  private:
   // Takes the steps of one sub-goal. An overlapping proxy is pushed out by at most `max_push_m`.
-  template <class Watch>
-  Next take_sub_goal(double max_push_m, Watch watch);
+  Next take_sub_goal(double max_push_m);
 
   // The parts of a sub-goal, in their order: gather makes the candidate set valid; collect_planes
   // finds the contact planes; MoveFinder chooses the goal and sweeps; judge finds out that the
@@ -90,6 +89,7 @@ class ProxyTick {
   const ProxyMove& tick_;
   const NearbySurfaces& near_;
   const MovingProxy proxy_;
+  [[no_unique_address]] const Watch watch_;
   MoveFinder moves_;
   TickEnd end_;
 };
@@ -97,19 +97,19 @@ class ProxyTick {
 // An overlap, which rounding or a deformation leaves, is pushed out by the first sub-goal only:
 // afterwards the proxy's own moves keep it clear.
 template <class Watch>
-void ProxyTick::run(Watch watch) {
+void ProxyTick<Watch>::run() {
   double max_push_m = kMaxPushOut_m;
   for (Next next = Next::again; next != Next::end;) {
-    next = take_sub_goal(max_push_m, watch);
+    next = take_sub_goal(max_push_m);
     if (next == Next::go_on) {
       max_push_m = 0.0;
     }
   }
-  watch.see_end(proxy_, end_.has_gone_back());
+  watch_.see_end(proxy_, end_.has_gone_back());
 }
 
 template <class Watch>
-Next ProxyTick::take_sub_goal(double max_push_m, Watch watch) {
+Next ProxyTick<Watch>::take_sub_goal(double max_push_m) {
   if (const Next next = gather(); next != Next::go_on) {
     return next;
   }
@@ -117,9 +117,9 @@ Next ProxyTick::take_sub_goal(double max_push_m, Watch watch) {
   if (const Next next = collect_planes(collector); next != Next::go_on) {
     return next;
   }
-  watch.see_step(TickStep::collision);
-  const NextMove move = moves_.find(tick_, proxy_, collector, end_.is_stalling(), watch);
-  watch.see({tick_, proxy_, move, end_.has_gone_back()});
+  watch_.see_step(TickStep::collision);
+  const NextMove move = moves_.find(tick_, proxy_, collector, end_.is_stalling(), watch_);
+  watch_.see({tick_, proxy_, move, end_.has_gone_back()});
   if (const Next next = judge(move.goal); next != Next::go_on) {
     return next;
   }
@@ -135,7 +135,8 @@ Next ProxyTick::take_sub_goal(double max_push_m, Watch watch) {
 }
 
 // Makes the candidate set valid at the proxy.
-Next ProxyTick::gather() {
+template <class Watch>
+Next ProxyTick<Watch>::gather() {
   auto& [state, planes, rest] = proxy_;
   const std::size_t before = near_.candidates.gatherings();
   const Gathering gathering = near_.candidates.ensure(near_.scene, near_.margins, state.p_W);
@@ -168,7 +169,8 @@ Next ProxyTick::gather() {
 }
 
 // Collects the planes at the proxy.
-Next ProxyTick::collect_planes(PlaneCollector& collector) {
+template <class Watch>
+Next ProxyTick<Watch>::collect_planes(PlaneCollector& collector) {
   auto& [state, planes, rest] = proxy_;
   // The planes of the sub-goal before are about to be replaced. If this one ends early their
   // contact still gives the force.
@@ -196,7 +198,8 @@ Next ProxyTick::collect_planes(PlaneCollector& collector) {
 }
 
 // Ends the tick if the proxy has settled. A proxy that was put back is measured from there.
-Next ProxyTick::judge(const SubGoal& goal) {
+template <class Watch>
+Next ProxyTick<Watch>::judge(const SubGoal& goal) {
   switch (end_.judge(goal, tick_.h_W, proxy_)) {
     case TickEnd::Verdict::settled:
       return Next::end;
@@ -211,7 +214,8 @@ Next ProxyTick::judge(const SubGoal& goal) {
 
 // Returns true if the tick goes on with this move. A tick whose budget is spent still makes its
 // first move if the proxy has waited, so that no place can hold it for ever.
-bool ProxyTick::may_move(const NextMove& move) {
+template <class Watch>
+bool ProxyTick<Watch>::may_move(const NextMove& move) {
   const std::uint16_t sub_goals = proxy_.rest.sub_goals;
   const bool is_free = move.sweep.travel_m > 0.0;
   const bool must_move = sub_goals == 0 && is_free && near_.candidates.has_waited();
@@ -229,7 +233,8 @@ bool ProxyTick::may_move(const NextMove& move) {
 
 // Makes the move and leaves what the next sub-goal needs: the constraints that held the proxy here,
 // and the position from which candidates are measured.
-void ProxyTick::make_move(const NextMove& move) {
+template <class Watch>
+void ProxyTick<Watch>::make_move(const NextMove& move) {
   const auto& [goal, sweep] = move;
   Vec3& p = proxy_.state.p_W;
   moves_.leave(p, goal, proxy_.rest);
@@ -246,7 +251,8 @@ void ProxyTick::make_move(const NextMove& move) {
 // Returns true if the proxy has come to rest on the face that held it before the move, and sets
 // its distance. The test is not made after a tick's first move: on small triangles it mostly fails,
 // and it would cost more than it saves.
-bool ProxyTick::stays_on_face(const NextMove& move) {
+template <class Watch>
+bool ProxyTick<Watch>::stays_on_face(const NextMove& move) {
   const Vec3& p = proxy_.state.p_W;
   ProxyRest& rest = proxy_.rest;
   const ConstraintMemory& constraints = moves_.constraints();
@@ -260,14 +266,16 @@ bool ProxyTick::stays_on_face(const NextMove& move) {
 }
 
 // Says that a limit ends the tick before the proxy has reached the goal.
-void ProxyTick::end_short_of(const Vec3& goal_W) {
+template <class Watch>
+void ProxyTick<Watch>::end_short_of(const Vec3& goal_W) {
   proxy_.rest.flags |= kTouchIterationsExhausted;
   proxy_.rest.short_of_goal_m = (goal_W - proxy_.state.p_W).norm();
 }
 
 // Removes every trace of the objects that are left out now: their planes, their contact, their
 // candidates.
-void ProxyTick::forget_left_out() {
+template <class Watch>
+void ProxyTick<Watch>::forget_left_out() {
   proxy_.rest.plane_count = 0;
   proxy_.planes.clear();
   LastContact& last = proxy_.state.last_contact;
@@ -281,7 +289,7 @@ void ProxyTick::forget_left_out() {
 
 template <class Watch>
 void run_sub_goals(const ProxyMove& tick, const MovingProxy& proxy, Watch watch) {
-  ProxyTick(tick, proxy).run(watch);
+  ProxyTick(tick, proxy, watch).run();
 }
 
 template void run_sub_goals(const ProxyMove&, const MovingProxy&, Unwatched);

@@ -22,6 +22,10 @@ struct WatchedSubGoal;
 // The watch of a tick that nobody sees, and of an object in it.
 class Unwatched {
  public:
+  // True of an object that somebody sees. What only a watcher needs is computed under this
+  // condition.
+  static constexpr bool kSees = false;
+
   static void see_step(TickStep /*step*/) {}
   static void see(const WatchedSubGoal& /*sub_goal*/) {}
   static void see_end(const MovingProxy& /*proxy*/, bool /*is_put_back*/) {}

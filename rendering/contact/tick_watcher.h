@@ -110,6 +110,8 @@ class TickWatcher {
 // The watch of an object in a tick that a watcher sees.
 class ObjectWatched {
  public:
+  static constexpr bool kSees = true;
+
   ObjectWatched(TickWatcher& watcher, const WatchedObject& object)
       : watcher_(watcher), object_(object) {}
 
