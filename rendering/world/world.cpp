@@ -221,6 +221,11 @@ void World::touch(std::span<const ToolState> tools, std::span<Touch> touches) {
 
 void World::touch(std::span<const ToolState> tools, std::span<Touch> touches,
                   std::span<TickWatcher* const> watchers) {
+  if (std::ranges::all_of(watchers,
+                          [](const TickWatcher* watcher) { return watcher == nullptr; })) {
+    touch(tools, touches);
+    return;
+  }
   const ManyWatched all{watchers};
   touch_all(tools, touches, all, [&](std::size_t i, const ToolState& tool, std::size_t limit) {
     TickWatcher* const watcher = i < watchers.size() ? watchers[i] : nullptr;
