@@ -24,11 +24,28 @@ bool is_hit(const SolvedPoint& point) {
   return point.parting_m_per_s < -kLeastHit_m_per_s;
 }
 
-// Computes the answers of the bodies as they are now.
-void set_answers(const BodyContact& contact, const SolverBody& a, const SolverBody& b,
-                 SolvedPoint& point) {
-  for (PushDirection& along : point.along) {
-    set_answers(contact.pushes_a, a, b, along);
+// Computes the directions of a point and their answers by the bodies as they are now.
+void set_directions(const ContactAxes& axes_W, const SolverBody& a, const SolverBody& b,
+                    SolvedPoint& point) {
+  const double mobility = a.inverse_mass() + b.inverse_mass();
+  for (std::size_t k = 0; k < 3; ++k) {
+    PushDirection& along = point.along[k];
+    const Vec3& axis = axes_W[k];
+    along.torques = spatial(point.arm_b_W.cross(axis), axis.cross(point.arm_a_W));
+    set_answers(axes_W, axis, a, b, along);
+    set_mass(is_held(a, b) ? along.shift[static_cast<Eigen::Index>(k)] : mobility, along);
+  }
+}
+
+// Computes the answers of bodies that springs hold as they are now.
+void follow_springs(const SolverBody& a, const SolverBody& b, BodyContact& contact) {
+  for (SolvedPoint& point : std::span(contact.points).first(contact.count)) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      set_answers(contact.axes_W, contact.axes_W[k], a, b, point.along[k]);
+    }
+  }
+  if (contact.surface.resists_turning()) {
+    follow_springs_turning(a, b, contact);
   }
 }
 
@@ -50,26 +67,28 @@ void take_over_impulses(const PastContact& before, const BodyContact& contact, S
 // Friction holds a point within the circle that its push allows. The impulse that would stop the
 // slip in both directions is of no use to a point that slips: where the masses along them differ it
 // is not against the slip. A step of one mass for both leads there.
+template <bool kHeld>
 [[gnu::always_inline]] inline void solve_friction(double friction, SolvedPoint& point,
-                                                  MeetingSolids& solids) {
-  const Eigen::Vector2d masses{point.along[1].mass, point.along[2].mass};
-  const Eigen::Vector2d slip{solids.parting(point.along[1]), solids.parting(point.along[2])};
-  const double most = friction * point.push;
-  Eigen::Vector2d wanted = point.rub - masses.cwiseProduct(slip);
-  if (wanted.squaredNorm() > most * most) {
-    wanted = point.rub - masses.minCoeff() * slip;
-    const double size2 = wanted.squaredNorm();
-    if (size2 > most * most) {
-      wanted *= most / std::sqrt(size2);
+                                                  MeetingSolids<kHeld>& solids) {
+  const auto& [normal, first, second] = point.along;
+  const double most2 = (friction * point.push) * (friction * point.push);
+  const Pair slip = solids.slip(first, second);
+  const Pair before = pair_at(point.rub.data());
+  Pair wanted = before - Pair{first.mass, second.mass} * slip;
+  if (squared_norm(wanted) > most2) {
+    wanted = before - both(std::min(first.mass, second.mass)) * slip;
+    const double size2 = squared_norm(wanted);
+    if (size2 > most2) {
+      wanted *= both(std::sqrt(most2 / size2));
     }
   }
-  solids.push_apart(point.along[1], wanted[0] - point.rub[0]);
-  solids.push_apart(point.along[2], wanted[1] - point.rub[1]);
-  point.rub = wanted;
+  solids.rub(first, second, wanted - before);
+  point.rub = {wanted[0], wanted[1]};
 }
 
 // Solves the points along the normal once.
-[[gnu::always_inline]] inline void solve_pushes(BodyContact& contact, MeetingSolids& solids,
+template <bool kHeld>
+[[gnu::always_inline]] inline void solve_pushes(BodyContact& contact, MeetingSolids<kHeld>& solids,
                                                 double step_s, const ContactSoftness* softness) {
   for (std::size_t i = 0; i < contact.count; ++i) {
     SolvedPoint& point = contact.points[i];
@@ -95,6 +114,74 @@ void take_over_impulses(const PastContact& before, const BodyContact& contact, S
       point.hardest_push = std::max(point.hardest_push, push);
     }
   }
+}
+
+// The parts of warm_start(), solve_contact() and apply_restitution(), for bodies that springs hold,
+// or others, and surfaces that resist turning, or others. The velocities stay in registers where
+// nothing turns.
+template <bool kHeld, bool kTurns>
+void warm_start_points(BodyContact& contact, SolverBody& a, SolverBody& b) {
+  MeetingSolids<kHeld> solids(contact.axes_W, a, b);
+  for (const SolvedPoint& point : std::span(contact.points).first(contact.count)) {
+    solids.push_apart(point.along[0], point.push);
+    solids.rub(point.along[1], point.along[2], pair_at(point.rub.data()));
+  }
+  if constexpr (kTurns) {
+    warm_start_turning(contact, solids);
+  }
+  solids.finish(a, b);
+}
+
+template <bool kHeld, bool kTurns>
+void solve_points(BodyContact& contact, SolverBody& a, SolverBody& b, double step_s,
+                  const ContactSoftness* softness) {
+  MeetingSolids<kHeld> solids(contact.axes_W, a, b);
+  const int rounds = contact.hits ? kRoundsOfHit : 1;
+  for (int round = 0; round < rounds; ++round) {
+    solve_pushes(contact, solids, step_s, softness);
+    if constexpr (kTurns) {
+      solve_turning(contact, solids);
+    }
+    for (SolvedPoint& point : std::span(contact.points).first(contact.count)) {
+      // A point that is not pushed has no friction.
+      if (point.push > 0.0 || point.rub[0] != 0.0 || point.rub[1] != 0.0) {
+        solve_friction(contact.surface.friction, point, solids);
+      }
+    }
+  }
+  solids.finish(a, b);
+}
+
+// Calls solve<kHeld, kTurns>() for the bodies and the surface of a contact.
+template <class Solve>
+void for_kind(const BodyContact& contact, const SolverBody& a, const SolverBody& b,
+              const Solve& solve) {
+  const bool turns = contact.surface.resists_turning();
+  if (is_held(a, b)) {
+    turns ? solve.template operator()<true, true>() : solve.template operator()<true, false>();
+  } else {
+    turns ? solve.template operator()<false, true>() : solve.template operator()<false, false>();
+  }
+}
+
+template <bool kHeld>
+bool bounce_points(BodyContact& contact, SolverBody& a, SolverBody& b) {
+  MeetingSolids<kHeld> solids(contact.axes_W, a, b);
+  bool has_changed = false;
+  for (SolvedPoint& point : std::span(contact.points).first(contact.count)) {
+    if (!is_hit(point) || !(point.hardest_push > 0.0)) {
+      continue;
+    }
+    const double approach = solids.parting(point.along[0]);
+    const double change =
+        -point.along[0].mass * (approach + contact.surface.restitution * point.parting_m_per_s);
+    const double push = std::max(point.push + change, 0.0);
+    has_changed = has_changed || std::abs(push - point.push) > kLeastChange * point.hardest_push;
+    solids.push_apart(point.along[0], push - point.push);
+    point.push = push;
+  }
+  solids.finish(a, b);
+  return has_changed;
 }
 
 }  // namespace
@@ -131,7 +218,7 @@ void begin_contact(const Manifold& manifold, std::span<const SolverBody> bodies,
   contact.axes_W[1] = normal.cross(Vec3::Unit(least)).normalized();
   contact.axes_W[2] = normal.cross(contact.axes_W[1]);
   contact.pushes_a = a.can_move();
-  const MeetingSolids solids(contact.pushes_a, a, b);
+  const MeetingSolids<false> solids(contact.axes_W, a, b);
   contact.count = manifold.count;
   contact.hits = false;
   for (std::size_t i = 0; i < manifold.count; ++i) {
@@ -144,14 +231,7 @@ void begin_contact(const Manifold& manifold, std::span<const SolverBody> bodies,
     point.push = 0.0;
     point.rub.setZero();
     point.hardest_push = 0.0;
-    for (std::size_t k = 0; k < 3; ++k) {
-      point.along[k].on_a = wrench_of(-contact.axes_W[k], point.arm_a_W);
-      point.along[k].on_b = wrench_of(contact.axes_W[k], point.arm_b_W);
-    }
-    set_answers(contact, a, b, point);
-    for (PushDirection& along : point.along) {
-      set_mass(contact.pushes_a, along);
-    }
+    set_directions(contact.axes_W, a, b, point);
     point.parting_m_per_s = solids.parting(point.along[0]);
     contact.hits = contact.hits || is_hit(point);
     if (before != nullptr) {
@@ -166,21 +246,11 @@ void begin_contact(const Manifold& manifold, std::span<const SolverBody> bodies,
 void warm_start(BodyContact& contact, std::span<SolverBody> bodies) {
   SolverBody& a = bodies[contact.a];
   SolverBody& b = bodies[contact.b];
-  const bool has_springs = a.has_springs() || b.has_springs();
-  MeetingSolids solids(contact.pushes_a, a, b);
-  for (std::size_t i = 0; i < contact.count; ++i) {
-    SolvedPoint& point = contact.points[i];
-    if (has_springs) {
-      set_answers(contact, a, b, point);
-    }
-    solids.push_apart(point.along[0], point.push);
-    solids.push_apart(point.along[1], point.rub[0]);
-    solids.push_apart(point.along[2], point.rub[1]);
+  if (is_held(a, b)) {
+    follow_springs(a, b, contact);
   }
-  if (contact.surface.resists_turning()) {
-    warm_start_turning(contact, a, b, solids);
-  }
-  solids.finish(a, b);
+  for_kind(contact, a, b,
+           [&]<bool kHeld, bool kTurns>() { warm_start_points<kHeld, kTurns>(contact, a, b); });
 }
 
 // A rotation R moves the point at `arm` along the normal n by (R arm - arm) n = arm (R'n - n).
@@ -202,22 +272,9 @@ void solve_contact(BodyContact& contact, std::span<SolverBody> bodies, double st
                    const ContactSoftness* softness) {
   SolverBody& a = bodies[contact.a];
   SolverBody& b = bodies[contact.b];
-  MeetingSolids solids(contact.pushes_a, a, b);
-  const int rounds = contact.hits ? kRoundsOfHit : 1;
-  for (int round = 0; round < rounds; ++round) {
-    solve_pushes(contact, solids, step_s, softness);
-    if (contact.surface.resists_turning()) {
-      solve_turning(contact, solids);
-    }
-    for (std::size_t i = 0; i < contact.count; ++i) {
-      SolvedPoint& point = contact.points[i];
-      // A point that is not pushed has no friction.
-      if (point.push > 0.0 || point.rub[0] != 0.0 || point.rub[1] != 0.0) {
-        solve_friction(contact.surface.friction, point, solids);
-      }
-    }
-  }
-  solids.finish(a, b);
+  for_kind(contact, a, b, [&]<bool kHeld, bool kTurns>() {
+    solve_points<kHeld, kTurns>(contact, a, b, step_s, softness);
+  });
 }
 
 bool apply_restitution(BodyContact& contact, std::span<SolverBody> bodies) {
@@ -226,23 +283,7 @@ bool apply_restitution(BodyContact& contact, std::span<SolverBody> bodies) {
   }
   SolverBody& a = bodies[contact.a];
   SolverBody& b = bodies[contact.b];
-  MeetingSolids solids(contact.pushes_a, a, b);
-  bool has_changed = false;
-  for (std::size_t i = 0; i < contact.count; ++i) {
-    SolvedPoint& point = contact.points[i];
-    if (!is_hit(point) || !(point.hardest_push > 0.0)) {
-      continue;
-    }
-    const double approach = solids.parting(point.along[0]);
-    const double change =
-        -point.along[0].mass * (approach + contact.surface.restitution * point.parting_m_per_s);
-    const double push = std::max(point.push + change, 0.0);
-    has_changed = has_changed || std::abs(push - point.push) > kLeastChange * point.hardest_push;
-    solids.push_apart(point.along[0], push - point.push);
-    point.push = push;
-  }
-  solids.finish(a, b);
-  return has_changed;
+  return is_held(a, b) ? bounce_points<true>(contact, a, b) : bounce_points<false>(contact, a, b);
 }
 
 void add_impulses(const BodyContact& contact, std::span<Vec6> wrenches) {

@@ -55,7 +55,7 @@ struct BodyContact {
   bool pushes_a = false;
   ContactSurface surface;
   // The normal from A to B and two tangents, unit.
-  std::array<Vec3, 3> axes_W{Vec3::UnitY(), Vec3::UnitX(), Vec3::UnitZ()};
+  ContactAxes axes_W{Vec3::UnitY(), Vec3::UnitX(), Vec3::UnitZ()};
   std::array<SolvedPoint, kManifoldPoints> points;
   std::size_t count = 0;
   // True if a point of it meets so fast in this tick that it hits, and may bounce.
@@ -77,7 +77,7 @@ struct PastPoint {
 struct PastContact {
   std::uint16_t a = 0;
   std::uint16_t b = 0;
-  std::array<Vec3, 3> axes_W{Vec3::UnitY(), Vec3::UnitX(), Vec3::UnitZ()};
+  ContactAxes axes_W{Vec3::UnitY(), Vec3::UnitX(), Vec3::UnitZ()};
   std::array<PastPoint, kManifoldPoints> points;
   std::size_t count = 0;
   // The torques about the axes, N m s.

@@ -196,7 +196,7 @@ void BodyWorld::move_bodies(double step_s) {
     const BodyMotion& now = moving.motion();
     shifts_[i].translation_W += now.center_W - bodies_[i].motion().center_W;
     shifts_[i].rotation = now.rotation_WO * before.transpose() * shifts_[i].rotation;
-    bodies_[i].set_place(now.center_W, now.rotation_WO);
+    bodies_[i].take_place(moving);
   }
   for (std::size_t i = 0; i < obstacle_count_; ++i) {
     Shift& shift = shifts_[body_count_ + i];

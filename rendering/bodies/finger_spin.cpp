@@ -41,7 +41,7 @@ void FingerGrips::begin_spins(std::span<SolverBody> bodies) {
   for (std::size_t i = 0; yield_m3_per_N_ > 0.0 && i < count_; ++i) {
     SolvedGrip& grip = grips_[i];
     SolverBody& body = bodies[grip.given.body];
-    const Vec6 torque = torque_wrench(grip.given.normal_W);
+    const Vec6 torque = spatial(Vec3::Zero(), grip.given.normal_W);
     grip.spin_answer = body.answer_to(torque);
     const double mobility = dot(torque, grip.spin_answer);
     grip.spin_inertia = mobility > 0.0 ? 1.0 / mobility : 0.0;

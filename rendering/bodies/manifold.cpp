@@ -68,23 +68,33 @@ void facing(const PlacedHull& hull, const Vec3& direction_W, Polygon& polygon) {
 }
 
 // Cuts off what lies beyond the plane through `point` with the outward `normal`, and writes the
-// rest to `inside` (Sutherland and Hodgman, Communications of the ACM 17, 1974).
-void cut(const Polygon& polygon, const Vec3& point, const Vec3& normal, Polygon& inside) {
+// rest to `inside` (Sutherland and Hodgman, Communications of the ACM 17, 1974). Returns false, and
+// writes nothing, if nothing lies beyond.
+bool cut(const Polygon& polygon, const Vec3& point, const Vec3& normal, Polygon& inside) {
+  std::array<double, kMostCorners> heights;
+  bool is_cut = false;
+  for (std::size_t i = 0; i < polygon.count; ++i) {
+    heights[i] = (polygon.corners_W[i] - point).dot(normal);
+    is_cut = is_cut || !(heights[i] <= 0.0);
+  }
+  if (!is_cut) {
+    return false;
+  }
   inside.count = 0;
   for (std::size_t i = 0; i < polygon.count; ++i) {
+    const std::size_t next = i + 1 < polygon.count ? i + 1 : 0;
     const Vec3& here = polygon.corners_W[i];
-    const Vec3& next = polygon.corners_W[(i + 1) % polygon.count];
-    const double at_here = (here - point).dot(normal);
-    const double at_next = (next - point).dot(normal);
-    if (at_here <= 0.0) {
+    if (heights[i] <= 0.0) {
       inside.add(here);
     }
     // A segment has one side, not two.
     const bool is_side = polygon.count > 2 || i + 1 < polygon.count;
-    if (is_side && (at_here <= 0.0) != (at_next <= 0.0)) {
-      inside.add(here + at_here / (at_here - at_next) * (next - here));
+    if (is_side && (heights[i] <= 0.0) != (heights[next] <= 0.0)) {
+      inside.add(here +
+                 heights[i] / (heights[i] - heights[next]) * (polygon.corners_W[next] - here));
     }
   }
+  return true;
 }
 
 // The points where the other solid stands on a face. `sign` is 1 if the face is A's, and -1 if it
@@ -99,8 +109,9 @@ Manifold on_face(const PlacedHull& owner, std::size_t face, const PlacedHull& ot
   for (std::size_t i = 0; i < corners.size(); ++i) {
     const Vec3& from = owner.vertices_W()[corners[i]];
     const Vec3& to = owner.vertices_W()[corners[(i + 1) % corners.size()]];
-    cut(polygons[now], from, (to - from).cross(normal), polygons[1 - now]);
-    now = 1 - now;
+    if (cut(polygons[now], from, (to - from).cross(normal), polygons[1 - now])) {
+      now = 1 - now;
+    }
   }
   const Polygon& polygon = polygons[now];
   PointChoice choice(sign * normal);
@@ -136,11 +147,14 @@ FaceGap widest_gap(const PlacedHull& owner, const PlacedHull& other, double marg
   FaceGap widest;
   for (std::size_t f = 0; f < owner.hull().faces.size(); ++f) {
     const Vec3 normal = owner.normal_W(f);
-    double lowest = std::numeric_limits<double>::infinity();
+    const double height = owner.vertices_W()[owner.corners(f).front()].dot(normal);
+    double gap = std::numeric_limits<double>::infinity();
     for (const Vec3& vertex : other.vertices_W()) {
-      lowest = std::min(lowest, vertex.dot(normal));
+      gap = std::min(gap, vertex.dot(normal) - height);
+      if (gap <= widest.gap_m) {
+        break;
+      }
     }
-    const double gap = lowest - owner.vertices_W()[owner.corners(f).front()].dot(normal);
     if (gap > widest.gap_m) {
       widest = {.gap_m = gap, .face = f};
       if (gap > margin_m) {

@@ -1,72 +1,152 @@
-// A direction along which two solids push each other, or an axis about which they turn each other,
-// with all that the solver needs of it.
+// Two solids that push and turn each other at a contact, in the numbers that the solver needs. Of
+// their velocities these are the velocity of B less that of A along the contact's three axes, in
+// which impulses act too, and both angular velocities.
 #pragma once
 
+#include <array>
+#include <cstddef>
+
 #include "rendering/bodies/solver_body.h"
+#include "rendering/geometry/vector.h"
 
 namespace tactus::rendering {
 
+// The normal of a contact from A to B and two tangents, unit, world frame.
+using ContactAxes = std::array<Vec3, 3>;
+
+// An axis of a contact along which an impulse acts at a point, or about which a torque acts. The
+// impulse acts on B, and the opposite one on A.
 struct PushDirection {
-  // The impulses of 1 N s on A and B with their torques, or those of 1 N m s. Their products with
-  // the velocities add up to the speed with which the surfaces part, or turn.
-  Vec6 on_a = Vec6::Zero();
-  Vec6 on_b = Vec6::Zero();
-  // The changes of the velocities of A and B by these impulses.
-  Vec6 answer_a = Vec6::Zero();
-  Vec6 answer_b = Vec6::Zero();
   // The mass that it pushes, kg, or the inertia that it turns, kg m^2.
   double mass = 0.0;
+  // The torques on B and on A about their centres by an impulse of 1 N s, or by one of 1 N m s.
+  // Their product with the angular velocities is the part of the speed that turning makes.
+  Vec6 torques = Vec6::Zero();
+  // The changes of the angular velocities of B and of A by such an impulse.
+  Vec6 turns = Vec6::Zero();
+  // The change of B's velocity less A's along the axes by such an impulse. It is set only where
+  // springs hold one of the solids; a free body is shifted along the impulse, and by no torque.
+  Vec3 shift = Vec3::Zero();
 };
 
 // The two solids of a contact while impulses go between them. It changes copies of their
-// velocities, which finish() gives back.
+// velocities, which finish() gives back. `kHeld` is true if springs hold one of the solids.
+template <bool kHeld>
 class MeetingSolids {
  public:
-  // `pushes_a` is false if A is an obstacle, which cannot be pushed.
-  MeetingSolids(bool pushes_a, const SolverBody& a, const SolverBody& b)
-      : pushes_a_(pushes_a), a_(a.velocity()), b_(b.velocity()) {}
-
-  // Returns the speed with which the surfaces part along a direction.
-  [[nodiscard]] double parting(const PushDirection& along) const {
-    return a_.dot(along.on_a) + b_.dot(along.on_b);
+  // Inlined, as finish() is: the solver begins and ends so for every contact in every pass, and
+  // keeps all of this in registers in between.
+  [[gnu::always_inline]] MeetingSolids(const ContactAxes& axes_W, const SolverBody& a,
+                                       const SolverBody& b)
+      : axes_W_(&axes_W),
+        mobility_(a.inverse_mass() + b.inverse_mass()),
+        angular_(b.velocity().data() + 3, a.velocity().data() + 3),
+        torques_(Vec6::Zero()) {
+    const Vec3 apart_W = b.velocity().head<3>() - a.velocity().head<3>();
+    parting_ = apart_W.dot(axes_W[0]);
+    slip_ = Pair{apart_W.dot(axes_W[1]), apart_W.dot(axes_W[2])};
   }
 
-  // Applies an impulse along a direction.
-  void push_apart(const PushDirection& along, double impulse) {
-    if (pushes_a_) {
-      a_.gain(impulse, along.answer_a);
+  // Returns the speed with which the surfaces part along the normal, m/s.
+  [[nodiscard]] double parting(const PushDirection& normal) const {
+    return parting_ + angular_.dot(normal.torques);
+  }
+  // Returns the velocity with which B slips on A along the two tangents, m/s.
+  [[nodiscard]] Pair slip(const PushDirection& first, const PushDirection& second) const {
+    return slip_ + angular_.dots(first.torques, second.torques);
+  }
+  // Returns the speed with which B turns about an axis against A, rad/s.
+  [[nodiscard]] double turning(const PushDirection& about) const {
+    return angular_.dot(about.torques);
+  }
+
+  // Applies an impulse along the normal, N s.
+  void push_apart(const PushDirection& normal, double impulse) {
+    push_ += impulse;
+    if constexpr (!kHeld) {
+      parting_ += impulse * mobility_;
     }
-    b_.gain(impulse, along.answer_b);
+    turn(normal, impulse);
+  }
+  // Applies impulses along the two tangents, N s.
+  void rub(const PushDirection& first, const PushDirection& second, Pair impulses) {
+    rub_ += impulses;
+    if constexpr (!kHeld) {
+      slip_ += impulses * both(mobility_);
+    }
+    turn(first, impulses[0]);
+    turn(second, impulses[1]);
+  }
+  // Applies an impulse about an axis, N m s.
+  void turn(const PushDirection& about, double impulse) {
+    angular_.gain(impulse, about.turns);
+    if constexpr (kHeld) {
+      torques_.gain(impulse, about.torques);
+      parting_ += impulse * about.shift[0];
+      slip_ += both(impulse) * pair_at(about.shift.data() + 1);
+    }
   }
 
   // Gives the solids the velocities that they have now.
-  void finish(SolverBody& a, SolverBody& b) const {
-    if (pushes_a_) {
-      a.set_velocity(a_.value());
+  [[gnu::always_inline]] void finish(SolverBody& a, SolverBody& b) const {
+    const ContactAxes& axes_W = *axes_W_;
+    const Vec3 impulse_W = push_ * axes_W[0] + rub_[0] * axes_W[1] + rub_[1] * axes_W[2];
+    if constexpr (kHeld) {
+      const Vec6 torques = torques_.value();
+      b.accelerate(spatial(impulse_W, torques.head<3>()));
+      a.accelerate(spatial(-impulse_W, torques.tail<3>()));
+    } else {
+      const Vec6 angular = angular_.value();
+      b.push_to(impulse_W, angular.head<3>());
+      a.push_to(-impulse_W, angular.tail<3>());
     }
-    b.set_velocity(b_.value());
   }
 
  private:
-  bool pushes_a_;
-  PairedVec6 a_;
-  PairedVec6 b_;
+  const ContactAxes* axes_W_;
+  // The change of the linear velocity by an impulse of 1 N s, where no springs hold.
+  double mobility_;
+  // The linear velocity of B less that of A, along the normal and the tangents.
+  double parting_ = 0.0;
+  Pair slip_{};
+  // The angular velocities of B and A.
+  PairedVec6 angular_;
+  // The impulses along the normal and the tangents so far, and the torques on B and A where springs
+  // hold.
+  double push_ = 0.0;
+  Pair rub_{};
+  PairedVec6 torques_;
 };
 
-// Computes the answers of the bodies as they are now.
-inline void set_answers(bool pushes_a, const SolverBody& a, const SolverBody& b,
-                        PushDirection& along) {
-  if (pushes_a) {
-    along.answer_a = a.answer_to(along.on_a);
-  }
-  along.answer_b = b.answer_to(along.on_b);
+// Returns true if springs hold one of the solids.
+inline bool is_held(const SolverBody& a, const SolverBody& b) {
+  return a.has_springs() || b.has_springs();
 }
 
-// Computes the mass of a direction from the answers.
-inline void set_mass(bool pushes_a, PushDirection& along) {
-  const double mobility =
-      (pushes_a ? dot(along.on_a, along.answer_a) : 0.0) + dot(along.on_b, along.answer_b);
-  along.mass = mobility > 0.0 ? 1.0 / mobility : 0.0;
+// Computes the answers of the solids as they are now to an impulse `push_W`, a unit vector, with
+// the direction's torques; zero of a direction about an axis.
+inline void set_answers(const ContactAxes& axes_W, const Vec3& push_W, const SolverBody& a,
+                        const SolverBody& b, PushDirection& direction) {
+  const auto torque_b = direction.torques.head<3>();
+  const auto torque_a = direction.torques.tail<3>();
+  if (!is_held(a, b)) {
+    direction.turns.head<3>() = b.inverse_inertia_W() * torque_b;
+    direction.turns.tail<3>() = a.inverse_inertia_W() * torque_a;
+    return;
+  }
+  const Vec6 answer_b = b.answer_to(spatial(push_W, torque_b));
+  const Vec6 answer_a = a.answer_to(spatial(-push_W, torque_a));
+  direction.turns.head<3>() = answer_b.tail<3>();
+  direction.turns.tail<3>() = answer_a.tail<3>();
+  const Vec3 apart_W = answer_b.head<3>() - answer_a.head<3>();
+  direction.shift = {apart_W.dot(axes_W[0]), apart_W.dot(axes_W[1]), apart_W.dot(axes_W[2])};
+}
+
+// Computes the mass of a direction from the answers. `shift` is how far the impulse of 1 N s shifts
+// the solids apart along itself, m/s; 0 about an axis.
+inline void set_mass(double shift, PushDirection& direction) {
+  const double mobility = shift + dot(direction.torques, direction.turns);
+  direction.mass = mobility > 0.0 ? 1.0 / mobility : 0.0;
 }
 
 }  // namespace tactus::rendering

@@ -41,10 +41,11 @@ void RigidBody::set_motion(const BodyMotion& motion) {
   follow_rotation();
 }
 
-void RigidBody::set_place(const Vec3& center_W, const Mat3& rotation_WO) {
-  motion_.center_W = center_W;
-  motion_.rotation_WO = rotation_WO;
-  follow_rotation();
+void RigidBody::take_place(const RigidBody& moved) {
+  motion_.center_W = moved.motion_.center_W;
+  motion_.rotation_WO = moved.motion_.rotation_WO;
+  inverse_inertia_W_ = moved.inverse_inertia_W_;
+  angular_velocity_W_ = inverse_inertia_W_ * motion_.angular_momentum_W;
 }
 
 void RigidBody::follow_rotation() {

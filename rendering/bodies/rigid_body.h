@@ -40,8 +40,8 @@ class RigidBody {
   [[nodiscard]] const BodyMotion& motion() const { return motion_; }
   // Sets the motion, and what follows from it.
   void set_motion(const BodyMotion& motion);
-  // Sets the place alone: of the centre of mass and of the axes.
-  void set_place(const Vec3& center_W, const Mat3& rotation_WO);
+  // Sets the place alone, of the centre of mass and of the axes: that of the same body, moved.
+  void take_place(const RigidBody& moved);
 
   // Returns the pose of the object, and its twist at the object's origin.
   [[nodiscard]] RigidPose pose() const;

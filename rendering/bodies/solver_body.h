@@ -17,19 +17,16 @@ using Vec6 = Eigen::Matrix<double, 6, 1>;
 // An inertia of a body, or its inverse, in the same order.
 using Mat6 = Eigen::Matrix<double, 6, 6>;
 
-// Returns an impulse at `arm_W` from the centre of mass with its torque.
-inline Vec6 wrench_of(const Vec3& impulse_W, const Vec3& arm_W) {
-  Vec6 wrench;
-  wrench.head<3>() = impulse_W;
-  wrench.tail<3>() = arm_W.cross(impulse_W);
-  return wrench;
+// Returns the vector with these parts.
+inline Vec6 spatial(const Vec3& linear, const Vec3& angular) {
+  Vec6 vector;
+  vector << linear, angular;
+  return vector;
 }
 
-// Returns an impulse of torque alone.
-inline Vec6 torque_wrench(const Vec3& torque_W) {
-  Vec6 wrench;
-  wrench << Vec3::Zero(), torque_W;
-  return wrench;
+// Returns an impulse at `arm_W` from the centre of mass with its torque.
+inline Vec6 wrench_of(const Vec3& impulse_W, const Vec3& arm_W) {
+  return spatial(impulse_W, arm_W.cross(impulse_W));
 }
 
 // Such a vector in registers, while it is changed many times.
@@ -39,12 +36,20 @@ class PairedVec6 {
       : first_(pair_at(vector.data())),
         second_(pair_at(vector.data() + 2)),
         third_(pair_at(vector.data() + 4)) {}
+  // Takes two vectors of three numbers.
+  PairedVec6(const double* first, const double* last)
+      : first_(pair_at(first)), second_(Pair{first[2], last[0]}), third_(pair_at(last + 1)) {}
 
   // Returns the product with another vector.
   [[nodiscard]] double dot(const Vec6& other) const {
-    const double* const p = other.data();
-    const Pair sum = pair_at(p) * first_ + pair_at(p + 2) * second_ + pair_at(p + 4) * third_;
+    const Pair sum = products(other);
     return sum[0] + sum[1];
+  }
+  // Returns the products with two other vectors.
+  [[nodiscard]] Pair dots(const Vec6& one, const Vec6& other) const {
+    const Pair of_one = products(one);
+    const Pair of_other = products(other);
+    return Pair{of_one[0], of_other[0]} + Pair{of_one[1], of_other[1]};
   }
 
   // Adds a multiple of another vector.
@@ -62,6 +67,11 @@ class PairedVec6 {
   }
 
  private:
+  [[nodiscard]] Pair products(const Vec6& other) const {
+    const double* const p = other.data();
+    return pair_at(p) * first_ + pair_at(p + 2) * second_ + pair_at(p + 4) * third_;
+  }
+
   Pair first_;
   Pair second_;
   Pair third_;
@@ -102,7 +112,11 @@ class SolverBody {
     velocity.gain(factor, answer);
     velocity_ = velocity.value();
   }
-  void set_velocity(const Vec6& velocity) { velocity_ = velocity; }
+  // Applies an impulse to a body that no springs hold, and sets the angular velocity.
+  void push_to(const Vec3& impulse_W, const Vec3& angular_W) {
+    velocity_.head<3>() += inverse_mass_ * impulse_W;
+    velocity_.tail<3>() = angular_W;
+  }
 
   // Returns the impulse, with its torque, that has changed the velocities since the beginning of
   // the sub-step. For a body that no springs hold.
@@ -110,6 +124,10 @@ class SolverBody {
 
   // Returns true if the body answers an impulse: an obstacle does not.
   [[nodiscard]] bool can_move() const { return inverse_mass_ > 0.0; }
+  // Return the inverses of the mass and of the inertia about the centre, world frame; 0 of an
+  // obstacle.
+  [[nodiscard]] double inverse_mass() const { return inverse_mass_; }
+  [[nodiscard]] const Mat3& inverse_inertia_W() const { return inverse_inertia_W_; }
   // Returns true if springs hold the body in this sub-step.
   [[nodiscard]] bool has_springs() const { return has_springs_; }
   // Returns the change of the velocities by an impulse with its torque.

@@ -19,10 +19,11 @@ Vec3 within_limits(const BodyContact& contact, const Vec3& torque) {
   return {std::clamp(torque[0], -most_spin, most_spin), share * torque[1], share * torque[2]};
 }
 
-void apply_change(BodyContact& contact, const Vec3& torque, MeetingSolids& solids) {
+template <bool kHeld>
+void apply_change(BodyContact& contact, const Vec3& torque, MeetingSolids<kHeld>& solids) {
   for (std::size_t k = 0; k < 3; ++k) {
     const auto i = static_cast<Eigen::Index>(k);
-    solids.push_apart(contact.about[k], torque[i] - contact.torque[i]);
+    solids.turn(contact.about[k], torque[i] - contact.torque[i]);
   }
   contact.torque = torque;
 }
@@ -34,10 +35,9 @@ void begin_turning(const PastContact* before, const SolverBody& a, const SolverB
   Vec3 torque_W = Vec3::Zero();
   for (std::size_t k = 0; k < 3; ++k) {
     PushDirection& about = contact.about[k];
-    about.on_a = torque_wrench(-contact.axes_W[k]);
-    about.on_b = torque_wrench(contact.axes_W[k]);
-    set_answers(contact.pushes_a, a, b, about);
-    set_mass(contact.pushes_a, about);
+    about.torques = spatial(contact.axes_W[k], -contact.axes_W[k]);
+    set_answers(contact.axes_W, Vec3::Zero(), a, b, about);
+    set_mass(0.0, about);
     if (before != nullptr) {
       torque_W += before->torque[static_cast<Eigen::Index>(k)] * before->axes_W[k];
     }
@@ -46,27 +46,33 @@ void begin_turning(const PastContact* before, const SolverBody& a, const SolverB
                     torque_W.dot(contact.axes_W[2])};
 }
 
-void warm_start_turning(BodyContact& contact, const SolverBody& a, const SolverBody& b,
-                        MeetingSolids& solids) {
-  const bool has_springs = a.has_springs() || b.has_springs();
+void follow_springs_turning(const SolverBody& a, const SolverBody& b, BodyContact& contact) {
+  for (PushDirection& about : contact.about) {
+    set_answers(contact.axes_W, Vec3::Zero(), a, b, about);
+  }
+}
+
+template <bool kHeld>
+void warm_start_turning(BodyContact& contact, MeetingSolids<kHeld>& solids) {
   const Vec3 torque = within_limits(contact, contact.torque);
   contact.torque.setZero();
-  for (PushDirection& about : contact.about) {
-    if (has_springs) {
-      set_answers(contact.pushes_a, a, b, about);
-    }
-  }
   apply_change(contact, torque, solids);
 }
 
-void solve_turning(BodyContact& contact, MeetingSolids& solids) {
+template <bool kHeld>
+void solve_turning(BodyContact& contact, MeetingSolids<kHeld>& solids) {
   Vec3 wanted = contact.torque;
   for (std::size_t k = 0; k < 3; ++k) {
     wanted[static_cast<Eigen::Index>(k)] -=
-        contact.about[k].mass * solids.parting(contact.about[k]);
+        contact.about[k].mass * solids.turning(contact.about[k]);
   }
   apply_change(contact, within_limits(contact, wanted), solids);
 }
+
+template void warm_start_turning(BodyContact&, MeetingSolids<false>&);
+template void warm_start_turning(BodyContact&, MeetingSolids<true>&);
+template void solve_turning(BodyContact&, MeetingSolids<false>&);
+template void solve_turning(BodyContact&, MeetingSolids<true>&);
 
 Vec3 turning_torque_W(const BodyContact& contact) {
   return contact.torque[0] * contact.axes_W[0] + contact.torque[1] * contact.axes_W[1] +

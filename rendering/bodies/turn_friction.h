@@ -18,12 +18,16 @@ namespace tactus::rendering {
 void begin_turning(const PastContact* before, const SolverBody& a, const SolverBody& b,
                    BodyContact& contact);
 
+// Computes the answers of bodies that springs hold as they are now.
+void follow_springs_turning(const SolverBody& a, const SolverBody& b, BodyContact& contact);
+
 // Begins a sub-step: applies the torques that the last one ended with.
-void warm_start_turning(BodyContact& contact, const SolverBody& a, const SolverBody& b,
-                        MeetingSolids& solids);
+template <bool kHeld>
+void warm_start_turning(BodyContact& contact, MeetingSolids<kHeld>& solids);
 
 // Stops the turning once, within the limits of the present push.
-void solve_turning(BodyContact& contact, MeetingSolids& solids);
+template <bool kHeld>
+void solve_turning(BodyContact& contact, MeetingSolids<kHeld>& solids);
 
 // Returns the torque on B, N m s; the opposite one acts on A.
 Vec3 turning_torque_W(const BodyContact& contact);

@@ -24,6 +24,12 @@ inline Pair pair_at(const double* place) {
   return pair;
 }
 
+// Returns the sum of both squares.
+inline double squared_norm(Pair p) {
+  const Pair squares = p * p;
+  return squares[0] + squares[1];
+}
+
 // Returns (b, a) for (a, b).
 inline Pair swapped(Pair p) {
   return Pair{p[1], p[0]};
