@@ -11,31 +11,11 @@ namespace {
 
 // The fastest recovery from an overlap, m/s.
 constexpr double kFastestRecovery_m_per_s = 1.0;
-// Slower approaches are no hits, m/s: one of them is gravity's of a few ticks.
-constexpr double kLeastHit_m_per_s = 0.05;
 // The points of a contact that hits are solved so often in a pass: their impulses begin anew, and
 // those of one side alone would turn the body about the other side.
 constexpr int kRoundsOfHit = 8;
 // Bounces are solved until their impulses change by less than this share.
 constexpr double kLeastChange = 1e-3;
-
-// Returns true if the surfaces meet at a point so fast that it hits.
-bool is_hit(const SolvedPoint& point) {
-  return point.parting_m_per_s < -kLeastHit_m_per_s;
-}
-
-// Computes the directions of a point and their answers by the bodies as they are now.
-void set_directions(const ContactAxes& axes_W, const SolverBody& a, const SolverBody& b,
-                    SolvedPoint& point) {
-  const double mobility = a.inverse_mass() + b.inverse_mass();
-  for (std::size_t k = 0; k < 3; ++k) {
-    PushDirection& along = point.along[k];
-    const Vec3& axis = axes_W[k];
-    along.torques = spatial(point.arm_b_W.cross(axis), axis.cross(point.arm_a_W));
-    set_answers(axes_W, axis, a, b, along);
-    set_mass(is_held(a, b) ? along.shift[static_cast<Eigen::Index>(k)] : mobility, along);
-  }
-}
 
 // Computes the answers of bodies that springs hold as they are now.
 void follow_springs(const SolverBody& a, const SolverBody& b, BodyContact& contact) {
@@ -49,21 +29,6 @@ void follow_springs(const SolverBody& a, const SolverBody& b, BodyContact& conta
   }
 }
 
-// Gives a point the impulses of the nearest point of the last tick, seen from B, if that is near.
-void take_over_impulses(const PastContact& before, const BodyContact& contact, SolvedPoint& point) {
-  constexpr double kNear_m = 2e-3;
-  double least = kNear_m * kNear_m;
-  for (const PastPoint& old : std::span(before.points).first(before.count)) {
-    const double distance2 = (old.arm_b_W - point.arm_b_W).squaredNorm();
-    if (distance2 < least) {
-      least = distance2;
-      const Vec3 rub = old.rub[0] * before.axes_W[1] + old.rub[1] * before.axes_W[2];
-      point.push = old.push;
-      point.rub = {rub.dot(contact.axes_W[1]), rub.dot(contact.axes_W[2])};
-    }
-  }
-}
-
 // Friction holds a point within the circle that its push allows. The impulse that would stop the
 // slip in both directions is of no use to a point that slips: where the masses along them differ it
 // is not against the slip. A step of one mass for both leads there.
@@ -72,18 +37,18 @@ template <bool kHeld>
                                                   MeetingSolids<kHeld>& solids) {
   const auto& [normal, first, second] = point.along;
   const double most2 = (friction * point.push) * (friction * point.push);
-  const Pair slip = solids.slip(first, second);
   const Pair before = pair_at(point.rub.data());
-  Pair wanted = before - Pair{first.mass, second.mass} * slip;
-  if (squared_norm(wanted) > most2) {
-    wanted = before - both(std::min(first.mass, second.mass)) * slip;
-    const double size2 = squared_norm(wanted);
+  Pair change = solids.against_slip(Pair{first.mass, second.mass}, first, second);
+  if (squared_norm(before + change) > most2) {
+    change = solids.against_slip(both(std::min(first.mass, second.mass)), first, second);
+    const double size2 = squared_norm(before + change);
     if (size2 > most2) {
-      wanted *= both(std::sqrt(most2 / size2));
+      change = both(std::sqrt(most2 / size2)) * (before + change) - before;
     }
   }
-  solids.rub(first, second, wanted - before);
-  point.rub = {wanted[0], wanted[1]};
+  solids.rub(first, second, change);
+  const Pair rub = before + change;
+  point.rub = {rub[0], rub[1]};
 }
 
 // Solves the points along the normal once.
@@ -104,10 +69,9 @@ template <bool kHeld>
       mass_scale = softness->mass_scale;
       impulse_scale = softness->impulse_scale;
     }
-    const double approach = solids.parting(point.along[0]);
-    const double change =
-        -point.along[0].mass * mass_scale * (approach + bias) - impulse_scale * point.push;
-    const double push = std::max(point.push + change, 0.0);
+    const double mass = point.along[0].mass * mass_scale;
+    const double kept = (1.0 - impulse_scale) * point.push - mass * bias;
+    const double push = std::max(solids.less_parting(kept, mass, point.along[0]), 0.0);
     if (push != point.push) {
       solids.push_apart(point.along[0], push - point.push);
       point.push = push;
@@ -169,7 +133,7 @@ bool bounce_points(BodyContact& contact, SolverBody& a, SolverBody& b) {
   MeetingSolids<kHeld> solids(contact.axes_W, a, b);
   bool has_changed = false;
   for (SolvedPoint& point : std::span(contact.points).first(contact.count)) {
-    if (!is_hit(point) || !(point.hardest_push > 0.0)) {
+    if (!point.is_hit() || !(point.hardest_push > 0.0)) {
       continue;
     }
     const double approach = solids.parting(point.along[0]);
@@ -192,55 +156,6 @@ ContactSoftness contact_softness(double frequency_Hz, double damping_ratio, doub
   const double a2 = step_s * omega * a1;
   return {
       .bias_rate = omega / a1, .mass_scale = a2 / (1.0 + a2), .impulse_scale = 1.0 / (1.0 + a2)};
-}
-
-PastContact past_of(const BodyContact& contact) {
-  PastContact past{.a = contact.a,
-                   .b = contact.b,
-                   .axes_W = contact.axes_W,
-                   .count = contact.count,
-                   .torque = contact.torque};
-  for (std::size_t i = 0; i < contact.count; ++i) {
-    const SolvedPoint& point = contact.points[i];
-    past.points[i] = {.arm_b_W = point.arm_b_W, .push = point.push, .rub = point.rub};
-  }
-  return past;
-}
-
-void begin_contact(const Manifold& manifold, std::span<const SolverBody> bodies,
-                   const PastContact* before, BodyContact& contact) {
-  const SolverBody& a = bodies[contact.a];
-  const SolverBody& b = bodies[contact.b];
-  const Vec3& normal = manifold.normal_W;
-  Eigen::Index least = 0;
-  normal.cwiseAbs().minCoeff(&least);
-  contact.axes_W[0] = normal;
-  contact.axes_W[1] = normal.cross(Vec3::Unit(least)).normalized();
-  contact.axes_W[2] = normal.cross(contact.axes_W[1]);
-  contact.pushes_a = a.can_move();
-  const MeetingSolids<false> solids(contact.axes_W, a, b);
-  contact.count = manifold.count;
-  contact.hits = false;
-  for (std::size_t i = 0; i < manifold.count; ++i) {
-    const ManifoldPoint& found = manifold.points[i];
-    SolvedPoint& point = contact.points[i];
-    point.arm_a_W = found.point_W - a.center_W();
-    point.arm_b_W = found.point_W - b.center_W();
-    point.separation_m = found.separation_m;
-    point.separation_now_m = found.separation_m;
-    point.push = 0.0;
-    point.rub.setZero();
-    point.hardest_push = 0.0;
-    set_directions(contact.axes_W, a, b, point);
-    point.parting_m_per_s = solids.parting(point.along[0]);
-    contact.hits = contact.hits || is_hit(point);
-    if (before != nullptr) {
-      take_over_impulses(*before, contact, point);
-    }
-  }
-  if (contact.surface.resists_turning()) {
-    begin_turning(before, a, b, contact);
-  }
 }
 
 void warm_start(BodyContact& contact, std::span<SolverBody> bodies) {

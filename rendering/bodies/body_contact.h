@@ -45,6 +45,13 @@ struct SolvedPoint {
   double hardest_push = 0.0;
   // The normal and the tangents.
   std::array<PushDirection, 3> along;
+
+  // Returns true if the surfaces meet so fast that they hit. Slower approaches, as gravity's of a
+  // few ticks, are no hits.
+  [[nodiscard]] bool is_hit() const {
+    constexpr double kLeastHit_m_per_s = 0.05;
+    return parting_m_per_s < -kLeastHit_m_per_s;
+  }
 };
 
 // The contact of solids `a` and `b`, numbers in the solver's list.

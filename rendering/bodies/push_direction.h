@@ -34,26 +34,37 @@ struct PushDirection {
 template <bool kHeld>
 class MeetingSolids {
  public:
-  // Inlined, as finish() is: the solver begins and ends so for every contact in every pass, and
-  // keeps all of this in registers in between.
+  // This and finish() are inlined, and without Eigen's expressions, which are not: the solver
+  // begins and ends so for every contact in every pass, and keeps the numbers in registers in
+  // between.
   [[gnu::always_inline]] MeetingSolids(const ContactAxes& axes_W, const SolverBody& a,
                                        const SolverBody& b)
       : axes_W_(&axes_W),
         mobility_(a.inverse_mass() + b.inverse_mass()),
         angular_(b.velocity().data() + 3, a.velocity().data() + 3),
         torques_(Vec6::Zero()) {
-    const Vec3 apart_W = b.velocity().head<3>() - a.velocity().head<3>();
-    parting_ = apart_W.dot(axes_W[0]);
-    slip_ = Pair{apart_W.dot(axes_W[1]), apart_W.dot(axes_W[2])};
+    const double x = b.velocity()[0] - a.velocity()[0];
+    const double y = b.velocity()[1] - a.velocity()[1];
+    const double z = b.velocity()[2] - a.velocity()[2];
+    const auto along = [&](const Vec3& n) { return x * n.x() + y * n.y() + z * n.z(); };
+    parting_ = along(axes_W[0]);
+    slip_ = Pair{along(axes_W[1]), along(axes_W[2])};
   }
 
   // Returns the speed with which the surfaces part along the normal, m/s.
   [[nodiscard]] double parting(const PushDirection& normal) const {
     return parting_ + angular_.dot(normal.torques);
   }
-  // Returns the velocity with which B slips on A along the two tangents, m/s.
-  [[nodiscard]] Pair slip(const PushDirection& first, const PushDirection& second) const {
-    return slip_ + angular_.dots(first.torques, second.torques);
+  // Returns `impulse` less `mass` times that speed. The part of the linear velocity is taken first:
+  // it is known earlier than the other, and each contact waits for the one before.
+  [[nodiscard]] double less_parting(double impulse, double mass,
+                                    const PushDirection& normal) const {
+    return (impulse - mass * parting_) - mass * angular_.dot(normal.torques);
+  }
+  // Returns the impulses along the two tangents that stop the slip there, each with its mass.
+  [[nodiscard]] Pair against_slip(Pair masses, const PushDirection& first,
+                                  const PushDirection& second) const {
+    return -masses * slip_ - masses * angular_.dots(first.torques, second.torques);
   }
   // Returns the speed with which B turns about an axis against A, rad/s.
   [[nodiscard]] double turning(const PushDirection& about) const {
@@ -74,35 +85,43 @@ class MeetingSolids {
     if constexpr (!kHeld) {
       slip_ += impulses * both(mobility_);
     }
-    turn(first, impulses[0]);
-    turn(second, impulses[1]);
+    angular_.gain(impulses[0], first.turns, impulses[1], second.turns);
+    if constexpr (kHeld) {
+      torques_.gain(impulses[0], first.torques, impulses[1], second.torques);
+      shift(impulses[0], first);
+      shift(impulses[1], second);
+    }
   }
   // Applies an impulse about an axis, N m s.
   void turn(const PushDirection& about, double impulse) {
     angular_.gain(impulse, about.turns);
     if constexpr (kHeld) {
       torques_.gain(impulse, about.torques);
-      parting_ += impulse * about.shift[0];
-      slip_ += both(impulse) * pair_at(about.shift.data() + 1);
+      shift(impulse, about);
     }
   }
 
   // Gives the solids the velocities that they have now.
   [[gnu::always_inline]] void finish(SolverBody& a, SolverBody& b) const {
-    const ContactAxes& axes_W = *axes_W_;
-    const Vec3 impulse_W = push_ * axes_W[0] + rub_[0] * axes_W[1] + rub_[1] * axes_W[2];
+    const auto& [normal, first, second] = *axes_W_;
+    const Vec3 impulse_W(push_ * normal.x() + rub_[0] * first.x() + rub_[1] * second.x(),
+                         push_ * normal.y() + rub_[0] * first.y() + rub_[1] * second.y(),
+                         push_ * normal.z() + rub_[0] * first.z() + rub_[1] * second.z());
     if constexpr (kHeld) {
-      const Vec6 torques = torques_.value();
-      b.accelerate(spatial(impulse_W, torques.head<3>()));
-      a.accelerate(spatial(-impulse_W, torques.tail<3>()));
+      b.accelerate(spatial(impulse_W, torques_.head()));
+      a.accelerate(spatial(-impulse_W, torques_.tail()));
     } else {
-      const Vec6 angular = angular_.value();
-      b.push_to(impulse_W, angular.head<3>());
-      a.push_to(-impulse_W, angular.tail<3>());
+      b.push_to(1.0, impulse_W, angular_.head());
+      a.push_to(-1.0, impulse_W, angular_.tail());
     }
   }
 
  private:
+  void shift(double impulse, const PushDirection& direction) {
+    parting_ += impulse * direction.shift[0];
+    slip_ += both(impulse) * pair_at(direction.shift.data() + 1);
+  }
+
   const ContactAxes* axes_W_;
   // The change of the linear velocity by an impulse of 1 N s, where no springs hold.
   double mobility_;

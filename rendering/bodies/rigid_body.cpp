@@ -19,6 +19,34 @@ Mat3 cross_matrix(const Vec3& v) {
   return m;
 }
 
+// The factors of Rodrigues' formula for a rotation by `turn`, an angle along its axis:
+// R = (1 - across turn^2) 1 + along [turn x] + across turn turn'. They are sin(x)/x and
+// (1 - cos x)/x^2 = (sin(x/2)/(x/2))^2 / 2, which lose no digits at small angles; below kSmall
+// their series are exact to rounding after four terms.
+struct TurnFactors {
+  double along = 1.0;
+  double across = 0.5;
+};
+TurnFactors factors_of(double angle2) {
+  constexpr double kSmall = 0.01;
+  if (angle2 < kSmall * kSmall) {
+    const double x = angle2;
+    return {.along = 1.0 - x * (1.0 / 6.0) * (1.0 - x * (1.0 / 20.0) * (1.0 - x * (1.0 / 42.0))),
+            .across = 0.5 - x * (1.0 / 24.0) * (1.0 - x * (1.0 / 30.0) * (1.0 - x * (1.0 / 56.0)))};
+  }
+  const double angle = std::sqrt(angle2);
+  const double half = sine_cosine(0.5 * angle).sine / (0.5 * angle);
+  return {.along = sine_cosine(angle).sine / angle, .across = 0.5 * half * half};
+}
+
+// Returns a vector turned back by a rotation.
+Vec3 turned_back(const Vec3& turn, const Vec3& v) {
+  const double angle2 = turn.squaredNorm();
+  const TurnFactors factors = factors_of(angle2);
+  return (1.0 - factors.across * angle2) * v - factors.along * turn.cross(v) +
+         factors.across * turn.dot(v) * turn;
+}
+
 // Returns the orthonormal matrix next to one that is orthonormal to rounding: one step of Newton's.
 Mat3 orthonormal(const Mat3& m) {
   const Mat3 square = m.transpose() * m;
@@ -100,39 +128,25 @@ Mat3 rotate_freely(const Mat3& inverse_inertia_C, const Mat3& rotation_WO, const
                    double step_s) {
   const Vec3 before = rotation_WO.transpose() * momentum_W;
   Vec3 turn = step_s * (inverse_inertia_C * before);
-  Mat3 rotation = rotation_by(turn);
+  turn = step_s * (inverse_inertia_C * (before - 0.5 * turn.cross(before)));
   for (int i = 0; i < kMidpointSteps; ++i) {
-    const Vec3 after = rotation.transpose() * before;
+    const Vec3 after = turned_back(turn, before);
     const Vec3 next = 0.5 * step_s * (inverse_inertia_C * (before + after));
     const bool settled = (next - turn).squaredNorm() <= 1e-32 * next.squaredNorm();
     turn = next;
-    rotation = rotation_by(turn);
     if (settled) {
       break;
     }
   }
-  return orthonormal(rotation_WO * rotation);
+  return orthonormal(rotation_WO * rotation_by(turn));
 }
 
-// Rodrigues' formula with sin(x)/x and (1 - cos x)/x^2 = (sin(x/2)/(x/2))^2 / 2, which lose no
-// digits at small angles; below kSmall their series are exact to rounding after four terms.
 Mat3 rotation_by(const Vec3& turn) {
-  constexpr double kSmall = 0.01;
   const double angle2 = turn.squaredNorm();
-  double along = 0.0;
-  double across = 0.0;
-  if (angle2 < kSmall * kSmall) {
-    along = 1.0 - angle2 / 6.0 * (1.0 - angle2 / 20.0 * (1.0 - angle2 / 42.0));
-    across = 0.5 * (1.0 - angle2 / 12.0 * (1.0 - angle2 / 30.0 * (1.0 - angle2 / 56.0)));
-  } else {
-    const double angle = std::sqrt(angle2);
-    const double half = sine_cosine(0.5 * angle).sine / (0.5 * angle);
-    along = sine_cosine(angle).sine / angle;
-    across = 0.5 * half * half;
-  }
+  const TurnFactors factors = factors_of(angle2);
   // The square of the cross product's matrix is w w' - w^2.
-  return (1.0 - across * angle2) * Mat3::Identity() + along * cross_matrix(turn) +
-         across * turn * turn.transpose();
+  return (1.0 - factors.across * angle2) * Mat3::Identity() + factors.along * cross_matrix(turn) +
+         factors.across * turn * turn.transpose();
 }
 
 }  // namespace tactus::rendering

@@ -52,7 +52,7 @@ class PairedVec6 {
     return Pair{of_one[0], of_other[0]} + Pair{of_one[1], of_other[1]};
   }
 
-  // Adds a multiple of another vector.
+  // Adds a multiple of another vector, or of two.
   void gain(double factor, const Vec6& other) {
     const double* const p = other.data();
     first_ += both(factor) * pair_at(p);
@@ -60,6 +60,17 @@ class PairedVec6 {
     third_ += both(factor) * pair_at(p + 4);
   }
 
+  void gain(double factor_x, const Vec6& x, double factor_y, const Vec6& y) {
+    const double* const p = x.data();
+    const double* const q = y.data();
+    first_ += both(factor_x) * pair_at(p) + both(factor_y) * pair_at(q);
+    second_ += both(factor_x) * pair_at(p + 2) + both(factor_y) * pair_at(q + 2);
+    third_ += both(factor_x) * pair_at(p + 4) + both(factor_y) * pair_at(q + 4);
+  }
+
+  // Return the first and the last three numbers, and all.
+  [[nodiscard]] Vec3 head() const { return {first_[0], first_[1], second_[0]}; }
+  [[nodiscard]] Vec3 tail() const { return {second_[1], third_[0], third_[1]}; }
   [[nodiscard]] Vec6 value() const {
     Vec6 vector;
     vector << first_[0], first_[1], second_[0], second_[1], third_[0], third_[1];
@@ -112,10 +123,15 @@ class SolverBody {
     velocity.gain(factor, answer);
     velocity_ = velocity.value();
   }
-  // Applies an impulse to a body that no springs hold, and sets the angular velocity.
-  void push_to(const Vec3& impulse_W, const Vec3& angular_W) {
-    velocity_.head<3>() += inverse_mass_ * impulse_W;
-    velocity_.tail<3>() = angular_W;
+  // Applies a multiple of an impulse to a body that no springs hold, and sets the angular velocity.
+  void push_to(double factor, const Vec3& impulse_W, const Vec3& angular_W) {
+    const double change = factor * inverse_mass_;
+    velocity_[0] += change * impulse_W.x();
+    velocity_[1] += change * impulse_W.y();
+    velocity_[2] += change * impulse_W.z();
+    velocity_[3] = angular_W.x();
+    velocity_[4] = angular_W.y();
+    velocity_[5] = angular_W.z();
   }
 
   // Returns the impulse, with its torque, that has changed the velocities since the beginning of
