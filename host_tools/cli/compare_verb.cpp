@@ -11,6 +11,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "host_tools/bake/scene/bake.h"
@@ -25,6 +26,8 @@
 #include "host_tools/touch/tool_path.h"
 #include "host_tools/touch/touch_csv.h"
 #include "host_tools/units.h"
+#include "rendering/friction/registered_models.h"
+#include "rendering/objects/contact_method.h"
 #include "rendering/scene/scene_image.h"
 
 namespace tactus::host {
@@ -184,6 +187,16 @@ void run_comparison(const CompareOptions& options) {
   options.json ? print_json(options, runs, figures) : print_table(runs, figures);
 }
 
+// Returns the names of a table's entries, with commas.
+template <class Table>
+std::string names_of(const Table& table) {
+  std::vector<std::string_view> names;
+  for (const auto& entry : table) {
+    names.push_back(entry.name);
+  }
+  return fmt::format("{}", fmt::join(names, ", "));
+}
+
 }  // namespace
 
 void add_compare_verb(CLI::App& app) {
@@ -192,9 +205,11 @@ void add_compare_verb(CLI::App& app) {
   const auto options = std::make_shared<CompareOptions>();
   verb->add_option("scene", options->scene, "Scene (scene.toml)")->required();
   verb->add_option("--path", options->path, "Tool positions (CSV)")->required();
-  verb->add_option("--methods", options->lists.methods, "Contact methods, with commas")
+  verb->add_option("--methods", options->lists.methods,
+                   "Contact methods, with commas: " + names_of(rendering::kContactMethods))
       ->delimiter(',');
-  verb->add_option("--friction", options->lists.frictions, "Friction models, with commas")
+  verb->add_option("--friction", options->lists.frictions,
+                   "Friction models, with commas: " + names_of(rendering::kFrictionModels))
       ->delimiter(',');
   verb->add_option("--push-outs", options->lists.push_outs_mm,
                    "Push-outs of the textbook's methods, mm, with commas")

@@ -50,6 +50,9 @@ TEST(Completion, OffersTheValuesThatADescriptionLists) {
   EXPECT_EQ(offered_after("emulate odrive --encoder ''"),
             (Words{"incremental", "absolute", "multi_turn"}));
   EXPECT_EQ(offered_after("emulate odrive --hand f"), (Words{"finger", "firm"}));
+  EXPECT_EQ(offered_after("compare --methods one_plane,three"),
+            (Words{"one_plane,three_sub_goals", "one_plane,three_step"}));
+  EXPECT_EQ(offered_after("compare --friction dahl,lu"), Words{"dahl,lugre"});
 }
 
 TEST(Completion, TakesAnOptionThatTheShellHasCutAtItsEqualsSign) {
