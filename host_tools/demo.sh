@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # A simulated hand strokes the ears of the Stanford bunny through the real controller: on a fresh Debian 12 this installs
-# what is missing (as root or through sudo), builds, bakes, simulates ten seconds and draws two figures.
+# what is missing (as root or through sudo), builds, and lets `tactus demo` do the rest.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
@@ -28,28 +28,17 @@ configure() {
 
 mkdir -p "$out"
 
-step "1/6 Packages"
+step "1/4 Packages"
 toolchains/install-packages.sh demo
 
-step "2/6 Build"
+step "2/4 Build"
 configure
 cmake --build build/release --target tactus --parallel "$(nproc)"
 
-step "3/6 The bunny, from Debian's libcgal-demo"
+step "3/4 The bunny, from Debian's libcgal-demo"
 host_tools/bunny_mesh.sh "$out/bunny00.off"
+cp host_tools/examples/bunny/{scene.toml,wish.csv} "$out/"
 echo "$out/bunny00.off"
 
-step "4/6 Bake it, 15 cm long"
-cp host_tools/examples/bunny/scene.toml "$out/scene.toml"
-"$tactus" bake "$out/scene.toml" -o "$out/scene.tactus"
-
-step "5/6 Ten seconds of touch: approach, press, stroke across the ears, leave, hover"
-"$tactus" sim "$out/scene.tactus" --path host_tools/examples/bunny/wish.csv --output "$out/bunny.csv"
-
-step "6/6 Figures"
-"$tactus" plot "$out/bunny.csv" --scene "$out/scene.tactus" -o "$out/"
-
-step "Done. Look at"
-printf '  %s\n' "$out/bunny.csv        every tick: tool, proxy, force, contact, friction" \
-  "$out/bunny_force.png  force and depth over time" \
-  "$out/bunny_path.png   the path over the bunny, from two sides"
+step "4/4 tactus demo: bake the bunny, 15 cm long, stroke it across the ears for ten seconds, and draw that"
+"$tactus" demo "$out"

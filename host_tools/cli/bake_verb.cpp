@@ -1,7 +1,6 @@
 #include "host_tools/cli/bake_verb.h"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <CLI/CLI.hpp>
 #include <cstdio>
@@ -12,7 +11,7 @@
 #include "host_tools/bake/device/certificate_file.h"
 #include "host_tools/bake/device/device_bake.h"
 #include "host_tools/bake/scene/bake.h"
-#include "host_tools/cli/progress_line.h"
+#include "host_tools/cli/bake_report.h"
 #include "host_tools/files/atomic_file.h"
 #include "host_tools/files/output_place.h"
 
@@ -38,15 +37,6 @@ struct BakeOptions {
   bool json = false;
   bool quiet = false;
 };
-
-// Bakes a scene; on a terminal a line shows what has been going on for how long.
-BakeReport bake_with_progress(const BakeOptions& options, const std::filesystem::path& output) {
-  if (options.quiet || ::isatty(STDERR_FILENO) != 1) {
-    return bake_file(options.scene, output);
-  }
-  ProgressLine line;
-  return bake_file(options.scene, output, [&](std::string_view step) { line.step(step); });
-}
 
 nlohmann::ordered_json to_json(const ObjectReport& object) {
   return {{"name", object.name},
@@ -76,18 +66,6 @@ void print_json(const BakeReport& report) {
     json["objects"].push_back(to_json(object));
   }
   fmt::print("{}\n", json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace));
-}
-
-void print_table(const BakeReport& report) {
-  fmt::print("{:<16} {:>10} {:>10} {:>8} {:>8} {:>10} {:>12} {:>7}\n", "object", "triangles",
-             "vertices", "dropped", "welded", "open edges", "bytes", "s");
-  for (const ObjectReport& o : report.objects) {
-    fmt::print("{:<16} {:>10} {:>10} {:>8} {:>8} {:>10} {:>12} {:>7.2f}\n", o.name, o.triangles,
-               o.vertices, o.counters.degenerate_triangles, o.counters.welded_vertices,
-               o.counters.open_edges, o.bytes, o.seconds);
-  }
-  fmt::print("{}: {} bytes, tool radius {} m, baked in {:.2f} s\n", report.image, report.bytes,
-             report.tool_radius_m, report.seconds);
 }
 
 // Bakes a device file. Its certificate is an input too, and must not be overwritten.
@@ -123,16 +101,13 @@ void run(const BakeOptions& options) {
     run_device(options, output);
     return;
   }
-  const BakeReport report = bake_with_progress(options, output);
-  for (const ObjectReport& object : report.objects) {
-    for (const std::string& warning : object.warnings) {
-      fmt::print(stderr, "tactus bake: warning: {}\n", warning);
-    }
-  }
+  const BakeReport report =
+      options.quiet ? bake_file(options.scene, output) : bake_with_progress(options.scene, output);
+  print_bake_warnings("bake", report);
   if (options.json) {
     print_json(report);
   } else if (!options.quiet) {
-    print_table(report);
+    print_bake_table(report);
   }
 }
 

@@ -9,6 +9,7 @@
 
 #include "host_tools/bake/scene/mapped_scene.h"
 #include "host_tools/cli/plot_bodies.h"
+#include "host_tools/cli/plot_run.h"
 #include "host_tools/cli/plot_steps.h"
 #include "host_tools/cli/plot_transitions.h"
 #include "host_tools/files/output_place.h"
@@ -80,11 +81,7 @@ void run_plot(const PlotOptions& options) {
   keep_inputs_safe({files.force, files.path, files.against},
                    {options.run, options.against, options.scene});
   make_folder_of(files.force);
-  const std::string name = csv.filename().string();
-  draw_force_figure(run, fmt::format("{}: force and depth", name), files.force);
-  draw_path_figure(run, scene.image().objects(), fmt::format("{}: path of the proxy", name),
-                   files.path);
-  fmt::print("{}\n{}\n", files.force.string(), files.path.string());
+  plot_run({run, csv.filename().string()}, scene.image().objects(), files);
   if (!options.against.empty()) {
     const RunData other = read_run(options.against);
     draw_against_figure({run, csv.stem().string()},

@@ -10,13 +10,12 @@
 #include <string>
 #include <vector>
 
-#include "host_tools/bake/scene/mapped_scene.h"
 #include "host_tools/cli/serve_simulation.h"
 #include "host_tools/cli/sim_outputs.h"
+#include "host_tools/cli/simulate.h"
 #include "host_tools/files/output_place.h"
 #include "host_tools/remote/remote.h"
 #include "host_tools/simulation/run.h"
-#include "rendering/scene/scene_world.h"
 
 namespace tactus::host {
 namespace {
@@ -95,21 +94,8 @@ void run_sim(const SimOptions& options) {
     return;
   }
   check_files(options, device_count(options.run));
-  const MappedScene scene(options.scene);
-  const auto objects = scene.image().objects();
-  const double tool_radius_m = scene.image().tool_radius_m();
-  RunPlan plan = plan_run(options.run, objects, tool_radius_m);
-  plan.devices.front().world = rendering::world_of(scene.image());
-  for (const std::string& warning : plan.warnings) {
-    fmt::print(stderr, "tactus sim: warning: {}\n", warning);
-  }
-  Simulation simulation(plan.devices, objects, tool_radius_m);
-  SimOutputs outputs(options.files, plan.seconds, simulation, scene);
-  const std::vector<RunSummary> summaries = run(
-      simulation, plan.seconds, options.run.rate_hz,
-      [&](const Simulation& now) { outputs.add(now); },
-      [&](const Simulation& now) { outputs.begin_tick(now); });
-  outputs.close();
+  const std::vector<RunSummary> summaries =
+      simulate("sim", options.scene, options.run, options.files);
   print(options, summaries);
 }
 

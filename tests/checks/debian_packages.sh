@@ -51,15 +51,20 @@ dependencies_are_found() {
 }
 
 programs_run() {
-  local scene="$work/ramp.tactus"
+  local picture scene="$work/ramp.tactus"
   "$root/usr/bin/tactus" --version
   "$root/usr/bin/tactusd" --version
   "$root/usr/bin/tactus" bake "$root/usr/share/tactus/examples/heart/scene.toml" -o "$scene"
   "$root/usr/bin/tactus" touch "$scene" --path "$root/usr/share/tactus/examples/heart/stroke.csv" --output "$work/touch.csv"
   [[ "$(wc -l <"$work/touch.csv")" -gt 100 ]] || fail "tactus touch wrote no run"
-  host_tools/bunny_mesh.sh "$work/bunny00.off"
-  cp "$root"/usr/share/tactus/examples/bunny/* "$work"
-  (cd "$work" && "$root/usr/bin/tactus" bake scene.toml && "$root/usr/bin/tactus" touch scene.tactus --path wish.csv --output bunny.csv)
+  mkdir "$work/empty" "$work/bunny"
+  (cd "$work/empty" && "$root/usr/bin/tactus" demo)
+  for picture in run_path run_force; do
+    [[ "$(head -c 4 "$work/empty/tactus-demo/$picture.png" | tail -c 3)" == PNG ]] || fail "tactus demo drew no $picture.png"
+  done
+  host_tools/bunny_mesh.sh "$work/bunny/bunny00.off"
+  cp "$root"/usr/share/tactus/examples/bunny/* "$work/bunny"
+  "$root/usr/bin/tactus" demo "$work/bunny"
 }
 
 # Every page formats without a warning, and has a name, a synopsis and, for a verb that --help lists, its options.

@@ -4,6 +4,9 @@
 #   A library outside of host_tools/ and tests/ is installed.
 # tactus_program(NAME SOURCES file... DEPENDS target...)
 #   A host program, put in <build>/bin.
+# tactus_embed(TARGET NAME FILE)
+#   The text of a file of the repository, for the target's sources: tactus::host::NAME, a std::string_view, in the header that is
+#   called as the file with .h behind: #include "host_tools/examples/heart/wish.csv.h".
 #
 # Every source sees the repository root as its include folder: #include "rendering/geometry/vector.h".
 
@@ -58,4 +61,12 @@ function(tactus_program name)
   add_executable(${name} ${arg_SOURCES})
   target_compile_options(${name} PRIVATE ${TACTUS_WARNINGS})
   target_link_libraries(${name} PRIVATE ${arg_DEPENDS})
+endfunction()
+
+function(tactus_embed target name file)
+  file(READ "${PROJECT_SOURCE_DIR}/${file}" text)
+  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/${file}")
+  set(folder "${CMAKE_CURRENT_BINARY_DIR}/embedded")
+  configure_file("${PROJECT_SOURCE_DIR}/toolchains/cmake/embedded_text.h.in" "${folder}/${file}.h" @ONLY)
+  target_include_directories(${target} PRIVATE "${folder}")
 endfunction()
