@@ -7,7 +7,7 @@
 #include <array>
 #include <string_view>
 
-#include "host_tools/benchmark/external_program.h"
+#include "host_tools/programs/external_program.h"
 #include "host_tools/csv/csv_text.h"
 #include "host_tools/files/atomic_file.h"
 #include "host_tools/input_error.h"

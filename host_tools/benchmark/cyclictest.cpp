@@ -6,7 +6,7 @@
 #include <sstream>
 #include <string>
 
-#include "host_tools/benchmark/external_program.h"
+#include "host_tools/programs/external_program.h"
 #include "host_tools/benchmark/jitter.h"
 #include "host_tools/input_error.h"
 

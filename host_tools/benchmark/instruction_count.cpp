@@ -12,7 +12,7 @@
 #include <string>
 
 #include "host_tools/bake/scene/mapped_scene.h"
-#include "host_tools/benchmark/external_program.h"
+#include "host_tools/programs/external_program.h"
 #include "host_tools/benchmark/percentile.h"
 #include "host_tools/files/atomic_file.h"
 #include "host_tools/input_error.h"

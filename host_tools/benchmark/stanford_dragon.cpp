@@ -6,7 +6,7 @@
 #include <cstdlib>
 #include <string>
 
-#include "host_tools/benchmark/external_program.h"
+#include "host_tools/programs/external_program.h"
 #include "host_tools/input_error.h"
 
 namespace tactus::host {

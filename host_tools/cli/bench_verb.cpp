@@ -11,7 +11,7 @@
 #include <string>
 
 #include "host_tools/benchmark/benchmark_mesh.h"
-#include "host_tools/benchmark/external_program.h"
+#include "host_tools/programs/external_program.h"
 #include "host_tools/benchmark/figures_file.h"
 #include "host_tools/benchmark/instruction_count.h"
 #include "host_tools/cli/bench_comparison.h"

@@ -10,7 +10,6 @@
 #include <array>
 #include <cerrno>
 #include <cmath>
-#include <cstdlib>
 #include <cstring>
 #include <fstream>
 #include <limits>
@@ -54,20 +53,6 @@ std::string complaint(const std::filesystem::path& file) {
 }
 
 }  // namespace
-
-GnuplotFolder::GnuplotFolder() {
-  std::string pattern = (std::filesystem::temp_directory_path() / "tactus-plot-XXXXXX").string();
-  if (mkdtemp(pattern.data()) == nullptr) {
-    throw InputError(fmt::format("{}: cannot make a temporary folder: {}", pattern,
-                                 std::generic_category().message(errno)));
-  }
-  path_ = pattern;
-}
-
-GnuplotFolder::~GnuplotFolder() {
-  std::error_code ignored;
-  std::filesystem::remove_all(path_, ignored);
-}
 
 void write_raw_rgb(const std::filesystem::path& file, const GreyImage& image) {
   std::string bytes;

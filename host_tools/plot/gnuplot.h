@@ -7,6 +7,7 @@
 #include <string>
 #include <string_view>
 
+#include "host_tools/files/private_folder.h"
 #include "host_tools/plot/silhouette.h"
 
 namespace tactus::host {
@@ -21,23 +22,8 @@ PictureFormat picture_format(const std::filesystem::path& picture);
 // Returns the format's extension with its dot.
 std::string_view extension_of(PictureFormat format);
 
-// A private folder below the system's folder for temporary files, removed with its content at the
-// end.
-class GnuplotFolder {
- public:
-  // Throws InputError if no folder can be made.
-  GnuplotFolder();
-  ~GnuplotFolder();
-  GnuplotFolder(const GnuplotFolder&) = delete;
-  GnuplotFolder& operator=(const GnuplotFolder&) = delete;
-  GnuplotFolder(GnuplotFolder&&) = delete;
-  GnuplotFolder& operator=(GnuplotFolder&&) = delete;
-
-  [[nodiscard]] const std::filesystem::path& path() const { return path_; }
-
- private:
-  std::filesystem::path path_;
-};
+// The folder of gnuplot's script and of the pictures that it needs.
+using GnuplotFolder = PrivateFolder;
 
 // Writes the picture as raw red-green-blue bytes for gnuplot's `binary` plots. Throws InputError.
 void write_raw_rgb(const std::filesystem::path& file, const GreyImage& image);

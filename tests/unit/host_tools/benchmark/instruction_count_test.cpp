@@ -5,7 +5,7 @@
 #include <sstream>
 #include <string>
 
-#include "host_tools/benchmark/external_program.h"
+#include "host_tools/programs/external_program.h"
 #include "host_tools/files/atomic_file.h"
 #include "tests/support/paths.h"
 #include "tests/unit/host_tools/bake/temporary_folder.h"

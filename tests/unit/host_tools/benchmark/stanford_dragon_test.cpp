@@ -7,7 +7,7 @@
 #include <filesystem>
 #include <string>
 
-#include "host_tools/benchmark/external_program.h"
+#include "host_tools/programs/external_program.h"
 #include "host_tools/files/atomic_file.h"
 #include "tests/unit/host_tools/bake/temporary_folder.h"
 
