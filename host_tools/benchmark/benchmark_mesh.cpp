@@ -6,10 +6,10 @@
 #include "host_tools/bake/mesh_file/mesh_import.h"
 #include "host_tools/bake/scene/placement.h"
 #include "host_tools/benchmark/debian_bunny.h"
-#include "host_tools/programs/external_program.h"
 #include "host_tools/benchmark/gravel.h"
 #include "host_tools/benchmark/stanford_dragon.h"
 #include "host_tools/mesh/icosphere.h"
+#include "host_tools/programs/external_program.h"
 #include "rendering/friction/lugre_passivity.h"
 
 namespace tactus::host {

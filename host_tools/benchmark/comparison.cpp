@@ -7,10 +7,10 @@
 #include <array>
 #include <string_view>
 
-#include "host_tools/programs/external_program.h"
 #include "host_tools/csv/csv_text.h"
 #include "host_tools/files/atomic_file.h"
 #include "host_tools/input_error.h"
+#include "host_tools/programs/external_program.h"
 
 namespace tactus::host {
 namespace {

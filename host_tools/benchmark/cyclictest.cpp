@@ -6,9 +6,9 @@
 #include <sstream>
 #include <string>
 
-#include "host_tools/programs/external_program.h"
 #include "host_tools/benchmark/jitter.h"
 #include "host_tools/input_error.h"
+#include "host_tools/programs/external_program.h"
 
 namespace tactus::host {
 

@@ -12,10 +12,10 @@
 #include <string>
 
 #include "host_tools/bake/scene/mapped_scene.h"
-#include "host_tools/programs/external_program.h"
 #include "host_tools/benchmark/percentile.h"
 #include "host_tools/files/atomic_file.h"
 #include "host_tools/input_error.h"
+#include "host_tools/programs/external_program.h"
 #include "rendering/scene/scene_world.h"
 #include "rendering/world/world.h"
 

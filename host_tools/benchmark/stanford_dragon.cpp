@@ -6,8 +6,8 @@
 #include <cstdlib>
 #include <string>
 
-#include "host_tools/programs/external_program.h"
 #include "host_tools/input_error.h"
+#include "host_tools/programs/external_program.h"
 
 namespace tactus::host {
 namespace {

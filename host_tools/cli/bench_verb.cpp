@@ -11,7 +11,6 @@
 #include <string>
 
 #include "host_tools/benchmark/benchmark_mesh.h"
-#include "host_tools/programs/external_program.h"
 #include "host_tools/benchmark/figures_file.h"
 #include "host_tools/benchmark/instruction_count.h"
 #include "host_tools/cli/bench_comparison.h"
@@ -19,6 +18,7 @@
 #include "host_tools/cli/bench_ticks.h"
 #include "host_tools/cli/picture_option.h"
 #include "host_tools/input_error.h"
+#include "host_tools/programs/external_program.h"
 
 namespace tactus::host {
 namespace {

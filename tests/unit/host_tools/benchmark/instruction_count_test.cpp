@@ -5,8 +5,8 @@
 #include <sstream>
 #include <string>
 
-#include "host_tools/programs/external_program.h"
 #include "host_tools/files/atomic_file.h"
+#include "host_tools/programs/external_program.h"
 #include "tests/support/paths.h"
 #include "tests/unit/host_tools/bake/temporary_folder.h"
 

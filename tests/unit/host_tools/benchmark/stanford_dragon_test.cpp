@@ -7,8 +7,8 @@
 #include <filesystem>
 #include <string>
 
-#include "host_tools/programs/external_program.h"
 #include "host_tools/files/atomic_file.h"
+#include "host_tools/programs/external_program.h"
 #include "tests/unit/host_tools/bake/temporary_folder.h"
 
 namespace tactus::host {

@@ -99,6 +99,16 @@ TEST_F(DeployProgram, TheSecondDeploymentKeepsTheImagesThatAreNotGiven) {
   EXPECT_EQ(loaded(), "#!/bin/sh\n# second\narm onecup two");
 }
 
+TEST_F(DeployProgram, WaitsForAServiceWhoseFirstStartFails) {
+  deploy_first();
+  make_packages("0.2.0", "second");
+  let_fail("starts_late");
+  const Outcome outcome = deploy();
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.output;
+  EXPECT_EQ(service(), "active\n");
+  EXPECT_EQ(loaded(), "#!/bin/sh\n# second\narm onecup one");
+}
+
 TEST_F(DeployProgram, DryRunChangesNothing) {
   deploy_first();
   make_packages("0.2.0", "second");

@@ -89,7 +89,7 @@ void FakeBoardTest::make_packages(const std::string& version, const std::string&
     }
     in_shell("cd " + tree.string() + " && sed -i \"s/@/" + wanted +
              "/\" DEBIAN/control && find usr etc -type f 2>/dev/null | xargs md5sum "
-             ">DEBIAN/md5sums && chmod -R go-w . && dpkg-deb --build . \"" +
+             ">DEBIAN/md5sums && chmod -R go-w . && dpkg-deb -Zgzip -z1 --build . \"" +
              folder + "/" + name + "_" + version + "_" + wanted + ".deb\"");
   }
 }

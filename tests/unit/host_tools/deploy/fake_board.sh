@@ -15,7 +15,7 @@ is_faulty() { [ -e "$board/faults/$1" ]; }
 PATH_OF_HOST="${PATH_OF_HOST:-$PATH}"
 export PATH_OF_HOST
 real() { PATH="$PATH_OF_HOST" "$@"; }
-real_dpkg() { real dpkg --root="$board/root" --force-not-root --force-script-chrootless --force-bad-path "$@"; }
+real_dpkg() { real dpkg --root="$board/root" --force-not-root --force-script-chrootless --force-bad-path --force-unsafe-io "$@"; }
 
 play_ssh() {
   while [ "$1" != "--" ]; do shift; done
@@ -76,6 +76,9 @@ start_service() {
   [ -e "$board/root/etc/tactus/device.tactus" ] || return 0
   if is_faulty nothing_starts || grep -qs broken "$board/root/usr/bin/tactusd" "$board/root/etc/tactus/device.tactus"; then
     echo activating >"$board/service"
+  elif is_faulty starts_late; then
+    rm "$board/faults/starts_late"
+    echo late >"$board/service"
   else
     echo active >"$board/service"
     cat "$board/root/usr/bin/tactusd" "$board"/root/etc/tactus/*.tactus >"$board/loaded"
@@ -86,6 +89,10 @@ play_systemctl() {
   case "$*" in
     *is-active*)
       if grep -qs crashing "$board/root/usr/bin/tactusd"; then echo $(($(cat "$board/restarts") + 1)) >"$board/restarts"; fi
+      if grep -qx late "$board/service"; then
+        start_service
+        return 3
+      fi
       grep -qx active "$board/service"
       ;;
     *NRestarts*) cat "$board/restarts" ;;
@@ -122,7 +129,7 @@ case "$name" in
   systemctl) play_systemctl "$@" ;;
   journalctl) echo 'tactusd: cannot reach the device' ;;
   tactus) play_tactus "$@" ;;
-  sleep) real sleep 0.01 ;;
+  sleep) if [ "$1" = 0.2 ]; then real sleep 0.05; else real sleep 0.01; fi ;;
   df) if is_faulty no_room; then printf 'Filesystem\n/dev/root 100 99 1 99%% /\n'; else real df "$@"; fi ;;
   sync)
     case "$*" in
