@@ -26,12 +26,10 @@ namespace tactus::host {
 namespace {
 
 constexpr const char* kDemoExamples =
-    "Bakes FOLDER/scene.toml, lets a simulated hand follow FOLDER/wish.csv for ten seconds through "
-    "the real\n"
-    "controller, and draws the run. Everything is written into FOLDER. A new folder begins with "
-    "the "
-    "heart of\n"
-    "the examples. Without wish.csv the hand strokes the front of the scene, as in `tactus sim`.\n"
+    "Bakes FOLDER/scene.toml, lets a simulated hand follow FOLDER/wish.csv through the real\n"
+    "controller, and draws the run. Everything is written into FOLDER. A new folder begins with\n"
+    "the heart of the examples, which is stroked for ten seconds. Without wish.csv the hand\n"
+    "strokes the front of the scene, as in `tactus sim`.\n"
     "\n"
     "Examples:\n"
     "  tactus demo                    a hand draws a heart on a heart; then look at\n"

@@ -21,17 +21,14 @@ namespace tactus::host {
 namespace {
 
 constexpr const char* kDeployExamples =
-    "Bakes here, copies the packages for the board's processor and the images, installs them, "
-    "restarts tactusd\n"
-    "and waits until it is active and `tactus doctor` has nothing to mend. If a step fails, or the "
-    "connection is\n"
-    "lost and a later step fails, the board puts back what it had. The user of the board is root, "
-    "or may sudo\n"
-    "without a password. host_tools/deploy/README.md has the steps.\n"
-    "\n"
-    "Exit codes: 0 deployed; 1 a step failed, everything is as before; 2 nothing was changed; 3 a "
-    "step failed,\n"
-    "and not everything is as before; 4 the connection was lost, and the board goes on by itself.\n"
+    "Bakes here, copies the packages for the board's processor and the images, installs them,\n"
+    "restarts tactusd and waits until it is active and `tactus doctor` has nothing to mend. If a\n"
+    "step fails, the board puts back what it had, also when the connection is lost meanwhile. The\n"
+    "user of the board is root, or may sudo without a password. host_tools/deploy/README.md has\n"
+    "the steps.\n"
+    "Exit codes: 0 deployed; 1 a step failed, everything is as before; 2 nothing was changed; 3 a\n"
+    "step failed, and not everything is as before; 4 the connection was lost, and the board goes\n"
+    "on by itself.\n"
     "\n"
     "Examples:\n"
     "  tactus deploy pi@board --dry-run                     says what it would do\n"
@@ -42,7 +39,7 @@ constexpr const char* kDeployExamples =
 
 // The verb's options as the user gave them.
 struct DeployVerbOptions {
-  DeployOptions deploy{.packages = "build/packages"};
+  DeployOptions deploy;
   std::string packages = "build/packages";
   std::string device;
   std::string scene;

@@ -19,7 +19,11 @@ pending="$state/pending" # what the board had before a deployment that is not ov
 force='' ignore_doctor='' no_rollback='' timeout=30 locked='' recovering=''
 
 say() { printf '%s\n' "$*"; }
-fail() { say "failed: $*" && exit 2; }
+# A full disk may keep the words from the log, and not the script from its end.
+fail() {
+  say "failed: $*"
+  exit 2
+}
 
 # shellcheck source=host_tools/deploy/board_state.sh
 . ./board_state.sh
@@ -211,6 +215,7 @@ deploy() {
   bring_up
   keep
   say "deployed"
+  exit 0
 }
 
 # ---- From the host
@@ -227,7 +232,7 @@ begin() {
 
 show() {
   line="$1"
-  if [ ! -e pid ]; then say "the deployment was not begun" && exit 2; fi
+  [ -e pid ] || fail "the deployment was not begun"
   while :; do
     over=''
     if [ -e result ]; then
@@ -242,7 +247,10 @@ show() {
     fi
     case "$over" in
       result) exit "$(cat result)" ;;
-      died) say "the deployment was killed; the next one puts back what it found" && exit 3 ;;
+      died)
+        say "the deployment was killed; the next one puts back what it found"
+        exit 3
+        ;;
     esac
     sleep 0.2
   done
@@ -252,5 +260,5 @@ case "${1:-}" in
   start) shift && begin "$@" && show 1 ;;
   show) show "${2:-1}" ;;
   deploy) shift && deploy "$@" ;;
-  *) say "board.sh: start, show or deploy" && exit 2 ;;
+  *) fail "board.sh takes start, show or deploy" ;;
 esac

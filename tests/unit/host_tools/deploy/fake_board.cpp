@@ -1,5 +1,7 @@
 #include "tests/unit/host_tools/deploy/fake_board.h"
 
+#include <fmt/format.h>
+
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -78,19 +80,21 @@ void FakeBoardTest::make_packages(const std::string& version, const std::string&
     fs::remove_all(tree);
     write_board_file(tree / "usr/bin" / name, "#!/bin/sh\n# " + build + "\n");
     write_board_file(tree / "DEBIAN/control",
-                     "Package: " + name + "\nVersion: " + version +
-                         "\nArchitecture: @\nMaintainer: Ada <ada@example.org>\n"
-                         "Installed-Size: 10\nDescription: a fake\n");
+                     fmt::format("Package: {}\nVersion: {}\nArchitecture: @\n"
+                                 "Maintainer: Ada <ada@example.org>\nInstalled-Size: 10\n"
+                                 "Description: a fake\n",
+                                 name, version));
     if (name == "tactusd") {
       write_board_file(tree / "etc/tactus/tactusd.env",
                        "TACTUSD_DEVICE=/etc/tactus/device.tactus\n"
                        "TACTUSD_SCENE=/etc/tactus/scene.tactus\n");
       write_board_file(tree / "DEBIAN/conffiles", "/etc/tactus/tactusd.env\n");
     }
-    in_shell("cd " + tree.string() + " && sed -i \"s/@/" + wanted +
-             "/\" DEBIAN/control && find usr etc -type f 2>/dev/null | xargs md5sum "
-             ">DEBIAN/md5sums && chmod -R go-w . && dpkg-deb -Zgzip -z1 --build . \"" +
-             folder + "/" + name + "_" + version + "_" + wanted + ".deb\"");
+    in_shell(fmt::format(
+        "cd {} && sed -i \"s/@/{}/\" DEBIAN/control && find usr etc -type f 2>/dev/null | xargs "
+        "md5sum >DEBIAN/md5sums && chmod -R go-w . && "
+        "dpkg-deb -Zgzip -z1 --build . \"{}/{}_{}_{}.deb\"",
+        tree.string(), wanted, folder, name, version, wanted));
   }
 }
 
