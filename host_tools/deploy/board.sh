@@ -115,8 +115,8 @@ stop_service() {
 
 install_packages() {
   say "installing the packages"
-  DEBIAN_FRONTEND=noninteractive apt-get install --yes --quiet --reinstall --allow-downgrades --no-install-recommends \
-    -o DPkg::Options::=--force-confold -o DPkg::Lock::Timeout=60 ./tactus.deb ./tactusd.deb 9>&- ||
+  DEBIAN_FRONTEND=noninteractive apt-get --yes --quiet --reinstall --allow-downgrades --no-install-recommends \
+    -o DPkg::Options::=--force-confold -o DPkg::Lock::Timeout=60 install ./tactus.deb ./tactusd.deb 9>&- ||
     fail "apt cannot install the packages; if it lacks libraries: sudo apt-get update, and bookworm-backports for libgpiod3"
   for package in $packages; do
     is_installed_from "$package" "$package.deb" || fail "apt did not install $package"
