@@ -11,6 +11,7 @@ PATH="$PATH:/usr/sbin:/sbin"
 root="${TACTUS_BOARD_ROOT:-}"
 etc="$root/etc/tactus"
 images="device.tactus scene.tactus"
+settings="tactusd.env tactusd.env.dpkg-dist" # dpkg leaves the second beside one that was changed here
 packages="tactus tactusd"
 state="$root/var/lib/tactus-deploy"
 kept="$state/kept"       # the packages of the last deployment that succeeded
@@ -115,8 +116,8 @@ stop_service() {
 
 install_packages() {
   say "installing the packages"
-  DEBIAN_FRONTEND=noninteractive apt-get --yes --quiet --reinstall --allow-downgrades --no-install-recommends \
-    -o DPkg::Options::=--force-confold -o DPkg::Lock::Timeout=60 install ./tactus.deb ./tactusd.deb 9>&- ||
+  DEBIAN_FRONTEND=noninteractive apt-get --yes -qq --reinstall --allow-downgrades --no-install-recommends \
+    -o DPkg::Options::=--force-confold -o DPkg::Lock::Timeout=60 -o DPkg::Use-Pty=0 install ./tactus.deb ./tactusd.deb 9>&- ||
     fail "apt cannot install the packages; if it lacks libraries: sudo apt-get update, and bookworm-backports for libgpiod3"
   for package in $packages; do
     is_installed_from "$package" "$package.deb" || fail "apt did not install $package"

@@ -57,7 +57,7 @@ save() {
     fi
   done
   if [ -d "$etc" ]; then : >"$pending.new/had_etc"; fi
-  for file in $images tactusd.env; do
+  for file in $images $settings; do
     [ ! -e "$etc/$file" ] || cp -p "$etc/$file" "$pending.new/files/" || fail "cannot copy $etc/$file"
   done
   if systemctl --quiet is-active tactusd; then : >"$pending.new/was_active"; fi
@@ -99,7 +99,7 @@ put_back_packages() {
 
 put_back_files() {
   whole=0
-  for file in $images tactusd.env; do
+  for file in $images $settings; do
     if [ ! -e "$pending/files/$file" ]; then
       rm -f "$etc/$file" || whole=1
     elif ! cmp -s "$pending/files/$file" "$etc/$file"; then

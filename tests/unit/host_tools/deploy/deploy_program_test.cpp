@@ -252,6 +252,16 @@ TEST_F(DeployProgram, PutsBackIfTheDoctorFindsSomethingToMend) {
   EXPECT_EQ(on_board("etc/tactus/device.tactus"), "unwell");
 }
 
+TEST_F(DeployProgram, SettingsThatWereChangedOnTheBoardStay) {
+  deploy_first();
+  const std::string settings = "# mine\nTACTUSD_OPTIONS=--cpu 3\n";
+  std::ofstream(file("fake/root/etc/tactus/tactusd.env")) << settings;
+  expect_put_back("broken", "its last words are above");
+  make_packages("0.2.0", "second");
+  EXPECT_EQ(deploy().exit_code, 0);
+  EXPECT_EQ(on_board("etc/tactus/tactusd.env"), settings);
+}
+
 TEST_F(DeployProgram, AFailureLeavesAStoppedServiceStopped) {
   deploy_first();
   stop_service();

@@ -86,8 +86,9 @@ void FakeBoardTest::make_packages(const std::string& version, const std::string&
                                  name, version));
     if (name == "tactusd") {
       write_board_file(tree / "etc/tactus/tactusd.env",
-                       "TACTUSD_DEVICE=/etc/tactus/device.tactus\n"
-                       "TACTUSD_SCENE=/etc/tactus/scene.tactus\n");
+                       "# settings of " + build +
+                           "\nTACTUSD_DEVICE=/etc/tactus/device.tactus\n"
+                           "TACTUSD_SCENE=/etc/tactus/scene.tactus\n");
       write_board_file(tree / "DEBIAN/conffiles", "/etc/tactus/tactusd.env\n");
     }
     in_shell(fmt::format(
