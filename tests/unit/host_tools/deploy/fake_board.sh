@@ -35,7 +35,11 @@ play_ssh() {
       ;;
     *board.sh\ start*)
       if is_faulty cut_at_start; then
-        sh -c "$command" | head -n 1
+        # Harder than sshd, which only hangs up: nothing of the session lives on.
+        setsid sh -c "$command" >"$board/shown" &
+        until [ -s "$board/shown" ]; do real sleep 0.02; done
+        kill -KILL "-$!"
+        head -n 1 "$board/shown"
         if is_faulty cut_for_good; then : >"$board/faults/unreachable"; fi
         exit 255
       fi
