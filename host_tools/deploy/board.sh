@@ -109,7 +109,10 @@ check_way_back() {
 # ---- The deployment
 
 stop_service() {
-  systemctl --quiet is-active tactusd || return 0
+  case "$(cat "$pending/service")" in
+    active | activating) ;;
+    *) return 0 ;;
+  esac
   say "stopping tactusd: its motors are off"
   systemctl stop tactusd || fail "tactusd cannot be stopped"
 }

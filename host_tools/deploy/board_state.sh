@@ -3,10 +3,11 @@
 
 # ---- Packages
 
-is_installed() { [ "$(dpkg-query --show --showformat '${db:Status-Abbrev}' "$1" 2>/dev/null)" = 'ii ' ]; }
+state_of() { dpkg-query --show --showformat '${db:Status-Status}' "$1" 2>/dev/null; }
+is_installed() { [ "$(state_of "$1")" = installed ]; }
 is_half_installed() {
-  case "$(dpkg-query --show --showformat '${db:Status-Abbrev}' "$1" 2>/dev/null)" in
-    '' | 'ii ' | un* | rc*) return 1 ;;
+  case "$(state_of "$1")" in
+    '' | installed | not-installed | config-files) return 1 ;;
   esac
 }
 # Versions do not tell one build from another; the sums of the files do.
@@ -60,7 +61,7 @@ save() {
   for file in $images $settings; do
     [ ! -e "$etc/$file" ] || cp -p "$etc/$file" "$pending.new/files/" || fail "cannot copy $etc/$file"
   done
-  if systemctl --quiet is-active tactusd; then : >"$pending.new/was_active"; fi
+  systemctl is-active tactusd >"$pending.new/service"
   sync
   mv "$pending.new" "$pending" || fail "cannot rename $pending.new"
 }
@@ -118,16 +119,19 @@ put_back_files() {
 # Leaves the service stopped, motors off, where not everything is as before.
 put_back() {
   stop_quietly
-  put_back_packages
-  whole="$?"
-  put_back_files || whole=1
+  back=yes
+  put_back_packages || back=''
+  put_back_files || back=''
   stop_quietly
-  [ "$whole" = 0 ] || return 1
-  if [ -e "$pending/was_active" ]; then
-    if ! start_service || ! is_active; then
-      say "tactusd does not start again: journalctl -u tactusd"
-      return 1
-    fi
-  fi
+  [ -n "$back" ] || return 1
+  case "$(cat "$pending/service")" in
+    active)
+      if ! start_service || ! is_active; then
+        say "tactusd does not start again: journalctl -u tactusd"
+        return 1
+      fi
+      ;;
+    activating) start_service ;; # it was trying again and again
+  esac
   rm -rf "$kept" && mv "$pending/packages" "$kept" && rm -rf "$pending"
 }

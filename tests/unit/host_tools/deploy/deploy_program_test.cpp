@@ -281,6 +281,28 @@ TEST_F(DeployProgram, SaysSoIfNotEverythingCanBePutBack) {
   EXPECT_EQ(on_board("usr/bin/tactusd"), "#!/bin/sh\n# first\n");
 }
 
+TEST_F(DeployProgram, LeavesTheMotorsOffIfThePackagesCannotBePutBack) {
+  deploy_first();
+  make_packages("0.1.0", "broken");
+  let_fail("dpkg_cannot_write");
+  const Outcome outcome = deploy("--device " + image("arm.tactus", "arm two"));
+  EXPECT_EQ(outcome.exit_code, 3) << outcome.output;
+  EXPECT_NE(outcome.output.find("tactusd is not as it was before"), std::string::npos)
+      << outcome.output;
+  EXPECT_EQ(on_board("etc/tactus/device.tactus"), "arm one");
+  EXPECT_EQ(service(), "inactive\n");
+}
+
+TEST_F(DeployProgram, AFailureLeavesAServiceThatTriesAgainTrying) {
+  deploy_first();
+  std::ofstream(file("fake/root/etc/tactus/device.tactus")) << "broken";
+  std::ofstream(file("fake/service")) << "activating\n";
+  make_packages("0.2.0", "second");
+  EXPECT_EQ(deploy().exit_code, 1);
+  EXPECT_EQ(on_board("usr/bin/tactusd"), "#!/bin/sh\n# first\n");
+  EXPECT_EQ(service(), "activating\n");
+}
+
 TEST_F(DeployProgram, AConnectionThatIsCutWhileCopyingChangesNothing) {
   deploy_first();
   let_fail("cut_while_copying");

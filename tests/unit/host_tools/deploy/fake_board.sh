@@ -93,6 +93,7 @@ play_systemctl() {
   case "$*" in
     *is-active*)
       if grep -qs crashing "$board/root/usr/bin/tactusd"; then echo $(($(cat "$board/restarts") + 1)) >"$board/restarts"; fi
+      case "$*" in *--quiet*) ;; *) cat "$board/service" ;; esac
       if grep -qx late "$board/service"; then
         start_service
         return 3
@@ -126,6 +127,11 @@ case "$name" in
   sudo) shift && exec "$@" ;;
   apt-get) play_apt "$@" ;;
   dpkg)
+    case "$*" in
+      *--install*)
+        if is_faulty dpkg_cannot_write; then echo 'dpkg: unrecoverable fatal error: Read-only file system' >&2 && exit 2; fi
+        ;;
+    esac
     real_dpkg "$@" || exit
     case "$*" in *--install*) start_service ;; esac
     ;;
