@@ -98,7 +98,7 @@ check_rest() {
   done
 }
 
-check_way_back() {
+check_roll_back() {
   for package in $packages; do
     if is_installed "$package" && ! is_installed_from "$package" "$kept/$package.deb" && [ -z "$no_rollback" ]; then
       fail "the board has $package from elsewhere, and no $kept/$package.deb to put it back from; copy that .deb there, or deploy with --no-rollback"
@@ -211,7 +211,7 @@ deploy() {
   check_space
   check_names
   check_rest
-  check_way_back
+  check_roll_back
   save
   stop_service
   install_packages
