@@ -22,6 +22,8 @@ constexpr const char* kReceive =
     "umask 077; folder=$(mktemp -d -t tactus-deploy.XXXXXX) || exit 1; "
     "if tar -C \"$folder\" -xf - && cd \"$folder\" && sha256sum --quiet -c SHA256SUMS; "
     "then echo \"folder $folder\"; else rm -rf \"$folder\"; exit 1; fi";
+// The shell's exit code if there is no ssh here.
+constexpr int kNoSsh = 127;
 // Ends with kMayNotBecomeRoot if the user is not root and may not sudo.
 constexpr int kMayNotBecomeRoot = 11;
 constexpr const char* kProbe =
@@ -43,6 +45,8 @@ std::string architecture_of(const Board& board) {
     case Board::kLost:
       throw InputError(fmt::format("{}: ssh does not reach it; try: ssh {} true", board.target(),
                                    board.target()));
+    case kNoSsh:
+      throw InputError("ssh is missing here; install it (Debian: openssh-client)");
     case kMayNotBecomeRoot:
       throw InputError(fmt::format(
           "{}: this user may not become root without a password; log in as root, or allow sudo",

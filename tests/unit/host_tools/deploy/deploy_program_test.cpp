@@ -149,6 +149,14 @@ TEST_F(DeployProgram, SaysThatTheBoardIsNotReached) {
   expect_refusal("ada@board: ssh does not reach it");
 }
 
+TEST_F(DeployProgram, SaysThatSshIsMissing) {
+  make_packages("0.1.0", "first");
+  ::setenv("PATH", file("fake/root").c_str(), 1);
+  const Outcome outcome = testing::run_program(folder(), "deploy ada@board --packages packages");
+  EXPECT_EQ(outcome.exit_code, 2) << outcome.output;
+  EXPECT_NE(outcome.output.find("Debian: openssh-client"), std::string::npos) << outcome.output;
+}
+
 TEST_F(DeployProgram, TakesNoOptionOfSshForABoard) {
   const Outcome outcome = testing::run_program(folder(), "deploy -- -oProxyCommand=touch");
   EXPECT_EQ(outcome.exit_code, 2) << outcome.output;
