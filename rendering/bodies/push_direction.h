@@ -1,6 +1,6 @@
-// Two solids that push and turn each other at a contact, in the numbers that the solver needs. Of
-// their velocities these are the velocity of B less that of A along the contact's three axes, in
-// which impulses act too, and both angular velocities.
+// Two solids that push and turn each other at a contact. The solver keeps their velocities as both
+// angular velocities, and as the velocity of B less that of A along the contact's three axes, along
+// which impulses act, too.
 #pragma once
 
 #include <array>
