@@ -191,6 +191,7 @@ void run_comparison(const CompareOptions& options) {
 template <class Table>
 std::string names_of(const Table& table) {
   std::vector<std::string_view> names;
+  names.reserve(table.size());
   for (const auto& entry : table) {
     names.push_back(entry.name);
   }
