@@ -1,15 +1,12 @@
 #include "host_tools/benchmark/benchmark_mesh.h"
 
-#include <fmt/format.h>
-#include <unistd.h>
-
 #include "host_tools/bake/mesh_file/mesh_import.h"
 #include "host_tools/bake/scene/placement.h"
 #include "host_tools/benchmark/debian_bunny.h"
 #include "host_tools/benchmark/gravel.h"
 #include "host_tools/benchmark/stanford_dragon.h"
+#include "host_tools/files/private_folder.h"
 #include "host_tools/mesh/icosphere.h"
-#include "host_tools/programs/external_program.h"
 #include "rendering/friction/lugre_passivity.h"
 
 namespace tactus::host {
@@ -56,8 +53,7 @@ BenchmarkMesh mesh_from_file(const std::string& name, const std::filesystem::pat
 }
 
 std::optional<BenchmarkMesh> bunny_mesh(double longest_side_m) {
-  const FolderGuard folder(std::filesystem::temp_directory_path() /
-                           fmt::format("tactus-bench-{}", ::getpid()));
+  const PrivateFolder folder;
   const auto file = extract_debian_bunny(folder.path());
   if (!file) {
     return std::nullopt;

@@ -1,7 +1,6 @@
 #include "host_tools/benchmark/comparison.h"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <array>
@@ -9,6 +8,7 @@
 
 #include "host_tools/csv/csv_text.h"
 #include "host_tools/files/atomic_file.h"
+#include "host_tools/files/private_folder.h"
 #include "host_tools/input_error.h"
 #include "host_tools/programs/external_program.h"
 
@@ -150,8 +150,7 @@ std::filesystem::path program_in(const std::filesystem::path& folder) {
 std::vector<ComparedRow> compare(const Comparison& comparison) {
   const std::array programs{std::filesystem::read_symlink("/proc/self/exe"),
                             program_in(comparison.folder)};
-  const FolderGuard work(std::filesystem::temp_directory_path() /
-                         fmt::format("tactus_bench_{}", ::getpid()));
+  const PrivateFolder work;
   std::array<std::vector<FigureRow>, 2> rows;
   for (std::size_t turn = 1; turn <= comparison.turns; ++turn) {
     const bool counts = comparison.instructions && turn == 1;

@@ -1,12 +1,12 @@
 #include <fmt/format.h>
 
-#include <cstdlib>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <sstream>
 #include <string>
 
 #include "host_tools/benchmark/jitter.h"
+#include "host_tools/files/private_folder.h"
 #include "host_tools/input_error.h"
 #include "host_tools/programs/external_program.h"
 
@@ -33,15 +33,6 @@ void read_bins(const nlohmann::json& histogram, Jitter& jitter) {
   jitter.overflow = jitter.count - std::min(binned, jitter.count);
 }
 
-// Makes a folder that nobody else can have and returns it. Throws InputError if it cannot.
-std::filesystem::path folder_of_ones_own() {
-  std::string name = (std::filesystem::temp_directory_path() / "tactus-cyclictest-XXXXXX").string();
-  if (::mkdtemp(name.data()) == nullptr) {
-    throw InputError(name + ": no folder can be made here; set TMPDIR to one that can be written");
-  }
-  return name;
-}
-
 }  // namespace
 
 Jitter read_cyclictest(std::string_view text) {
@@ -64,7 +55,7 @@ std::optional<Jitter> measure_cyclictest(const JitterPlan& plan, bool real_time)
   if (!command_succeeds("PATH=\"$PATH:/usr/sbin:/sbin\" command -v cyclictest")) {
     return std::nullopt;
   }
-  const FolderGuard folder(folder_of_ones_own());
+  const PrivateFolder folder;
   const std::filesystem::path file = folder.path() / "cyclictest.json";
   const std::string command = fmt::format(
       "PATH=\"$PATH:/usr/sbin:/sbin\" cyclictest --quiet --threads=1 {} {} --interval={:.0f} "

@@ -3,7 +3,6 @@
 #include "host_tools/benchmark/instruction_count.h"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <fstream>
@@ -14,6 +13,7 @@
 #include "host_tools/bake/scene/mapped_scene.h"
 #include "host_tools/benchmark/percentile.h"
 #include "host_tools/files/atomic_file.h"
+#include "host_tools/files/private_folder.h"
 #include "host_tools/input_error.h"
 #include "host_tools/programs/external_program.h"
 #include "rendering/scene/scene_world.h"
@@ -64,7 +64,7 @@ InstructionCount count_instructions(const BakedScene& scene, std::span<const Vec
   if (!command_succeeds("command -v valgrind")) {
     throw InputError("--instructions needs valgrind; install it (Debian: valgrind)");
   }
-  const FolderGuard folder(fs::temp_directory_path() / fmt::format("tactus-count-{}", ::getpid()));
+  const PrivateFolder folder;
   write_work(folder.path(), scene, path);
   const fs::path counts = folder.path() / kCounts;
   const std::string command = fmt::format(

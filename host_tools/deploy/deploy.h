@@ -11,12 +11,12 @@
 
 namespace tactus::host {
 
-// What the user asks for.
+// The options of a deployment.
 struct DeployOptions {
   BoardAddress board;
   // The folder with the packages, or with a folder of packages for each architecture.
   std::filesystem::path packages;
-  // How long the service may take to become active.
+  // The time that the service may take to become active, s.
   unsigned timeout_s = 30;
   // Prints the steps and changes nothing.
   bool dry_run = false;

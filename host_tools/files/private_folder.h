@@ -5,12 +5,13 @@
 
 namespace tactus::host {
 
-// A private folder below the system's folder for temporary files, removed with its content at the
-// end.
+// A private folder, removed with its content at the end.
 class PrivateFolder {
  public:
-  // Throws InputError if no folder can be made.
+  // Make a new folder in the system's folder for temporary files, or in `place`. They throw
+  // InputError if none can be made.
   PrivateFolder();
+  explicit PrivateFolder(const std::filesystem::path& place);
   ~PrivateFolder();
   PrivateFolder(const PrivateFolder&) = delete;
   PrivateFolder& operator=(const PrivateFolder&) = delete;

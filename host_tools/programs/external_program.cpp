@@ -5,8 +5,6 @@
 #include <array>
 #include <cstdio>
 #include <cstdlib>
-#include <system_error>
-#include <utility>
 
 namespace tactus::host {
 
@@ -44,15 +42,6 @@ std::string shell_quoted(const std::filesystem::path& path) {
     quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
   }
   return quoted + "'";
-}
-
-FolderGuard::FolderGuard(std::filesystem::path path) : path_(std::move(path)) {
-  std::filesystem::create_directories(path_);
-}
-
-FolderGuard::~FolderGuard() {
-  std::error_code ignored;
-  std::filesystem::remove_all(path_, ignored);
 }
 
 }  // namespace tactus::host
