@@ -21,7 +21,7 @@ using firmware::Request;
 
 class ChangedMethodRecording : public RecordedWalk {
  protected:
-  ChangedMethodRecording() : RecordedWalk(baked(kFormula + contact("sphere_proxy") + kRubs)) {}
+  ChangedMethodRecording() : RecordedWalk(baked(kMesh + contact("sphere_proxy") + kRubs)) {}
 
   // The device at the tick's place of the stroke, with the request by which it starts.
   static TickInput input(int tick) {
@@ -68,9 +68,9 @@ TEST_F(ChangedMethodRecording, AnotherMethodFromTheStartIsThatOfAnotherScene) {
     std::string scene;
   };
   const std::vector<WhatIf> all{
-      {.set = "object.ball.contact=one_plane", .scene = kFormula + contact("one_plane") + kRubs},
+      {.set = "object.ball.contact=one_plane", .scene = kMesh + contact("one_plane") + kRubs},
       {.set = "object.0.friction_model=dahl",
-       .scene = kFormula + contact("sphere_proxy") + model("dahl")}};
+       .scene = kMesh + contact("sphere_proxy") + model("dahl")}};
   for (const auto& [set, scene] : all) {
     SCOPED_TRACE(set);
     StrokedBall wanted(baked(scene));

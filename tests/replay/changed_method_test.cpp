@@ -22,7 +22,7 @@ using firmware::ParameterRefusal;
 std::string meshed_ball(const std::string& contact, double x_m) {
   return fmt::format(
       "[[object]]\nname = \"at {0}\"\nformula = \"sphere(1)\"\nscale = 0.02\nposition_m = [{0}, 0, "
-      "0]\nstiffness_N_per_m = 500\ncontact = \"{1}\"\n{2}",
+      "0]\ntolerance_m = 1e-4\nstiffness_N_per_m = 500\ncontact = \"{1}\"\n{2}",
       x_m, contact, kRubs);
 }
 
@@ -71,7 +71,7 @@ void expect_every_pair(const std::string& object, const std::vector<std::string>
 }
 
 TEST(ChangedMethod, FeelsAsBakedForEveryPairOnAMesh) {
-  expect_every_pair(kFormula, kOnMeshes, kRubs);
+  expect_every_pair(kMesh, kOnMeshes, kRubs);
 }
 
 TEST(ChangedMethod, FeelsAsBakedForEveryPairOnAPrimitive) {
@@ -101,17 +101,17 @@ TEST(ChangedMethod, AnObjectAllowsWhatAScenesKeysAllow) {
                     [&](std::string_view name) { names.emplace_back(name); });
     return names;
   };
-  EXPECT_EQ(allowed(kFormula + contact("one_plane") + kRubs, kContact), kOnMeshes);
+  EXPECT_EQ(allowed(kMesh + contact("one_plane") + kRubs, kContact), kOnMeshes);
   EXPECT_EQ(allowed(kPrimitive, kContact), kOnPrimitives);
   EXPECT_EQ(allowed(kFormula, kContact), kOnFormulas);
   EXPECT_EQ(allowed(kFormula + kRubs, kContact), std::vector<std::string>{"tracking"});
   const std::vector<std::string> without_textbook(kOnMeshes.begin(), kOnMeshes.begin() + 4);
-  EXPECT_EQ(allowed(kFormula + contact("god_object") + model("dahl"), kContact), without_textbook);
+  EXPECT_EQ(allowed(kMesh + contact("god_object") + model("dahl"), kContact), without_textbook);
   const std::string grain = kRubs + "grain = { direction = [1, 0, 0], across = 0.5 }\n";
   const std::vector<std::string> with_grain{"sphere_proxy", "god_object", "feature_walk"};
-  EXPECT_EQ(allowed(kFormula + contact("god_object") + grain, kContact), with_grain);
-  EXPECT_EQ(allowed(kFormula + contact("god_object") + "shading = {}\n", kContact), with_grain);
-  EXPECT_EQ(allowed(kFormula + contact("one_plane"), kModel), std::vector<std::string>{"cone"});
+  EXPECT_EQ(allowed(kMesh + contact("god_object") + grain, kContact), with_grain);
+  EXPECT_EQ(allowed(kMesh + contact("god_object") + "shading = {}\n", kContact), with_grain);
+  EXPECT_EQ(allowed(kMesh + contact("one_plane"), kModel), std::vector<std::string>{"cone"});
   EXPECT_EQ(allowed(kFormula + kRubs, kModel).size(), rendering::kFrictionKinds);
   // Bristles need the stiffness of the contact, and every model but the cone a dynamic level.
   const std::string soft =
@@ -126,7 +126,7 @@ TEST(ChangedMethod, IsRefusedInContactAndTakenOnceTheToolIsLifted) {
   for (const std::string& from : kOnMeshes) {
     const std::string to = from == "one_plane" ? "god_object" : "one_plane";
     SCOPED_TRACE(from);
-    StrokedBall run(baked(fmt::format("{}{}{}", kFormula, contact(from), kRubs)));
+    StrokedBall run(baked(fmt::format("{}{}{}", kMesh, contact(from), kRubs)));
     run.start(stroke(0));
     int refused = 0;
     for (int tick = 0; tick < 2 * kStroke; ++tick) {
@@ -186,7 +186,7 @@ TEST(ChangedMethod, OfAnotherObjectIsNotFelt) {
 }
 
 TEST(ChangedMethod, OutlivesASaveAndARestore) {
-  const auto scene = baked(kFormula + contact("sphere_proxy") + kRubs);
+  const auto scene = baked(kMesh + contact("sphere_proxy") + kRubs);
   StrokedBall first(scene);
   first.start(stroke(0));
   for (int tick = 0; tick < kFree; ++tick) {
