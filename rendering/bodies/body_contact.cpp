@@ -12,22 +12,11 @@ namespace {
 // The fastest recovery from an overlap, m/s.
 constexpr double kFastestRecovery_m_per_s = 1.0;
 // The points of a contact that hits are solved so often in a pass: their impulses begin anew, and
-// those of one side alone would turn the body about the other side.
-constexpr int kRoundsOfHit = 8;
+// those of one side alone would turn the body about the other side. So are those of a body that
+// springs hold: a light one is held by forces that are far larger than its weight.
+constexpr int kRounds = 8;
 // Bounces are solved until their impulses change by less than this share.
 constexpr double kLeastChange = 1e-3;
-
-// Computes the answers of bodies that springs hold as they are now.
-void follow_springs(const SolverBody& a, const SolverBody& b, BodyContact& contact) {
-  for (SolvedPoint& point : std::span(contact.points).first(contact.count)) {
-    for (std::size_t k = 0; k < 3; ++k) {
-      set_answers(contact.axes_W, contact.axes_W[k], a, b, point.along[k]);
-    }
-  }
-  if (contact.surface.resists_turning()) {
-    follow_springs_turning(a, b, contact);
-  }
-}
 
 // Friction holds a point within the circle that its push allows. The impulse that would stop the
 // slip in both directions is of no use to a point that slips: where the masses along them differ it
@@ -68,6 +57,10 @@ template <bool kHeld>
       bias = std::max(softness->bias_rate * separation, -kFastestRecovery_m_per_s);
       mass_scale = softness->mass_scale;
       impulse_scale = softness->impulse_scale;
+      if constexpr (kHeld) {
+        impulse_scale *= point.yielding;
+        mass_scale = 1.0 - impulse_scale;
+      }
     }
     const double mass = point.along[0].mass * mass_scale;
     const double kept = (1.0 - impulse_scale) * point.push - mass * bias;
@@ -100,7 +93,7 @@ template <bool kHeld, bool kTurns>
 void solve_points(BodyContact& contact, SolverBody& a, SolverBody& b, double step_s,
                   const ContactSoftness* softness) {
   MeetingSolids<kHeld> solids(contact.axes_W, a, b);
-  const int rounds = contact.hits ? kRoundsOfHit : 1;
+  const int rounds = kHeld || contact.hits ? kRounds : 1;
   for (int round = 0; round < rounds; ++round) {
     solve_pushes(contact, solids, step_s, softness);
     if constexpr (kTurns) {
@@ -161,9 +154,6 @@ ContactSoftness contact_softness(double frequency_Hz, double damping_ratio, doub
 void warm_start(BodyContact& contact, std::span<SolverBody> bodies) {
   SolverBody& a = bodies[contact.a];
   SolverBody& b = bodies[contact.b];
-  if (is_held(a, b)) {
-    follow_springs(a, b, contact);
-  }
   for_kind(contact, a, b,
            [&]<bool kHeld, bool kTurns>() { warm_start_points<kHeld, kTurns>(contact, a, b); });
 }

@@ -41,6 +41,8 @@ struct SolvedPoint {
   // The impulses of a sub-step: along the normal, N s, >= 0, and along the tangents.
   double push = 0.0;
   Eigen::Vector2d rub = Eigen::Vector2d::Zero();
+  // The share of a free contact's yielding that is left where springs hold a body.
+  double yielding = 1.0;
   // The largest push of the tick's sub-steps.
   double hardest_push = 0.0;
   // The normal and the tangents.
@@ -118,8 +120,11 @@ struct Shift {
   Mat3 rotation = Mat3::Identity();
 };
 
-// Begins a sub-step: follows what springs make of the bodies, and applies the impulses that the
-// last sub-step ended with.
+// Computes the answers and the masses of a contact anew, after springs have taken hold of a body or
+// have let go.
+void follow_springs(std::span<const SolverBody> bodies, BodyContact& contact);
+
+// Begins a sub-step: applies the impulses that the last one ended with.
 void warm_start(BodyContact& contact, std::span<SolverBody> bodies);
 
 // Computes the points' distances after the solids have moved.

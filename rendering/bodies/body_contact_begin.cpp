@@ -1,22 +1,53 @@
 // The beginning of a contact in a tick: its axes, points and directions, and the impulses that go
 // on from the last tick. body_contact.cpp solves it.
+#include <algorithm>
+
 #include "rendering/bodies/body_contact.h"
 #include "rendering/bodies/turn_friction.h"
 
 namespace tactus::rendering {
 namespace {
 
-// Computes the directions of a point and their answers by the bodies as they are now.
-void set_directions(const ContactAxes& axes_W, const SolverBody& a, const SolverBody& b,
-                    SolvedPoint& point) {
+// The contact of a body that springs hold is more than so many times as stiff as they are: the
+// hand feels the springs. A free contact's stiffness is that of its bodies' mass.
+constexpr double kStifferThanSprings = 1000.0;
+
+// Computes the answers and the masses of a point's directions by the bodies as they are now.
+void set_masses(const ContactAxes& axes_W, const SolverBody& a, const SolverBody& b,
+                SolvedPoint& point) {
   const double mobility = a.inverse_mass() + b.inverse_mass();
   for (std::size_t k = 0; k < 3; ++k) {
     PushDirection& along = point.along[k];
-    const Vec3& axis = axes_W[k];
-    along.torques = spatial(point.arm_b_W.cross(axis), axis.cross(point.arm_a_W));
-    set_answers(axes_W, axis, a, b, along);
+    set_answers(axes_W, axes_W[k], a, b, along);
     set_mass(is_held(a, b) ? along.shift[static_cast<Eigen::Index>(k)] : mobility, along);
   }
+}
+
+// Computes the directions of a point.
+void set_directions(const ContactAxes& axes_W, const SolverBody& a, const SolverBody& b,
+                    SolvedPoint& point) {
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Vec3& axis = axes_W[k];
+    point.along[k].torques = spatial(point.arm_b_W.cross(axis), axis.cross(point.arm_a_W));
+  }
+  set_masses(axes_W, a, b, point);
+}
+
+// Returns the mass that a direction would push if no springs held the bodies.
+double free_mass(const PushDirection& direction, const SolverBody& a, const SolverBody& b) {
+  const auto torque_b = direction.torques.head<3>();
+  const auto torque_a = direction.torques.tail<3>();
+  const double mobility = a.inverse_mass() + b.inverse_mass() +
+                          torque_b.dot(b.inverse_inertia_W() * torque_b) +
+                          torque_a.dot(a.inverse_inertia_W() * torque_a);
+  return mobility > 0.0 ? 1.0 / mobility : 0.0;
+}
+
+// The stiffness of a contact in a sub-step is in proportion to the mass that it pushes. Springs add
+// theirs to that mass, and the contact needs it kStifferThanSprings times.
+double yielding_of(const PushDirection& normal, const SolverBody& a, const SolverBody& b) {
+  const double of_springs = std::max(normal.mass - free_mass(normal, a, b), 0.0);
+  return normal.mass / (normal.mass + kStifferThanSprings * of_springs);
 }
 
 // Gives a point the impulses of the nearest point of the last tick, seen from B, if that is near.
@@ -35,6 +66,18 @@ void take_over_impulses(const PastContact& before, const BodyContact& contact, S
 }
 
 }  // namespace
+
+void follow_springs(std::span<const SolverBody> bodies, BodyContact& contact) {
+  const SolverBody& a = bodies[contact.a];
+  const SolverBody& b = bodies[contact.b];
+  for (SolvedPoint& point : std::span(contact.points).first(contact.count)) {
+    set_masses(contact.axes_W, a, b, point);
+    point.yielding = is_held(a, b) ? yielding_of(point.along[0], a, b) : 1.0;
+  }
+  if (contact.surface.resists_turning()) {
+    follow_springs_turning(a, b, contact);
+  }
+}
 
 PastContact past_of(const BodyContact& contact) {
   PastContact past{.a = contact.a,

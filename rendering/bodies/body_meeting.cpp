@@ -102,8 +102,15 @@ double BodyWorld::margin_of(std::uint16_t a, std::uint16_t b, double tick_s,
   return kMargin_m + margins[a] + margins[b] + tick_s * speed;
 }
 
+// Springs may drive a light body far within the tick. A contact begins with the velocities that the
+// bodies have: only those tell a hit from a load.
 void BodyWorld::find_contacts(double tick_s) {
   remember_contacts();
+  for (const std::uint8_t i : awake()) {
+    if (grips_.holds(i)) {
+      grips_.hold(i, solids_[i]);
+    }
+  }
   Margins margins{};
   const auto solid_count = static_cast<std::uint16_t>(body_count_ + obstacle_count_);
   for (std::uint16_t i = 0; i < solid_count; ++i) {
@@ -115,6 +122,9 @@ void BodyWorld::find_contacts(double tick_s) {
     wake_neighbours(tick_s, margins);
     contact_count_before_ +=
         sleep_.take_contacts(std::span(contacts_before_).subspan(contact_count_before_));
+  }
+  for (const std::uint8_t i : awake()) {
+    solids_[i].begin(bodies_[i]);
   }
   for (const std::uint16_t b : awake()) {
     for (std::uint16_t a = 0; a < solid_count; ++a) {

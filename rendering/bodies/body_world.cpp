@@ -97,7 +97,7 @@ void BodyWorld::step_awake(double tick_s, std::span<const FingerGrip> grips) {
   }
   const double step_s = tick_s / kSubSteps;
   grips_.begin_tick(grips, bodies());
-  grips_.begin_step(solids_, step_s);
+  grips_.begin_step(step_s);
   find_contacts(tick_s);
   for (int i = 0; i < kSubSteps; ++i) {
     sub_step(step_s, i + 1 == kSubSteps);
@@ -121,9 +121,10 @@ void BodyWorld::sub_step(double step_s, bool is_last) {
     bodies_[i].accelerate(gravity_W_, step_s);
     solids_[i].begin(bodies_[i]);
   }
-  grips_.begin_step(solids_, step_s);
-  grips_.begin_spins(solids_);
   for (BodyContact& contact : contacts) {
+    if (is_held(contact)) {
+      follow_springs(solids_, contact);
+    }
     warm_start(contact, solids_);
   }
   solve_contacts(step_s, &softness);
@@ -144,8 +145,30 @@ void BodyWorld::sub_step(double step_s, bool is_last) {
   grips_.end_step(moved_);
 }
 
+// The impulses of contacts decide which fingers let go or slip, and they change in each pass.
+void BodyWorld::hold_bodies() {
+  if (!grips_.any()) {
+    return;
+  }
+  sum_impulses();
+  for (const std::uint8_t i : awake()) {
+    if (grips_.holds(i)) {
+      solids_[i].begin(bodies_[i]);
+      solids_[i].accelerate(pushed_[i]);
+      grips_.hold(i, solids_[i]);
+    }
+  }
+  for (BodyContact& contact : std::span(contacts_).first(contact_count_)) {
+    if (is_held(contact)) {
+      follow_springs(solids_, contact);
+    }
+  }
+  grips_.limit_spins(solids_);
+}
+
 void BodyWorld::solve_contacts(double step_s, const ContactSoftness* softness) {
   for (int pass = 0; pass < kPasses; ++pass) {
+    hold_bodies();
     grips_.solve_spins(solids_);
     for (BodyContact& contact : std::span(contacts_).first(contact_count_)) {
       solve_contact(contact, solids_, step_s, softness);
@@ -172,13 +195,13 @@ void BodyWorld::sum_impulses() {
     pushed_[i].setZero();
   }
   for (const BodyContact& contact : std::span(contacts_).first(contact_count_)) {
-    if (solids_[contact.a].has_springs() || solids_[contact.b].has_springs()) {
+    if (is_held(contact)) {
       add_impulses(contact, pushed_);
     }
   }
   grips_.add_spins(pushed_);
   for (const std::uint8_t i : awake()) {
-    if (!solids_[i].has_springs()) {
+    if (!grips_.holds(i)) {
       pushed_[i] = solids_[i].impulse_since_begin();
     }
   }

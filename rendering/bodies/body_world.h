@@ -162,6 +162,12 @@ class BodyWorld {
                     const Take& take);
   // Adds the contact of a manifold in the world frame.
   void add_contact(std::uint16_t a, std::uint16_t b, const Manifold& manifold);
+  // Returns true if fingers hold a body of a contact.
+  [[nodiscard]] bool is_held(const BodyContact& contact) const {
+    return grips_.holds(contact.a) || grips_.holds(contact.b);
+  }
+  // Solves the springs of the fingers for the impulses that the contacts have now.
+  void hold_bodies();
   // Computes one sub-step; the last one has the bounces.
   void sub_step(double step_s, bool is_last);
   // Solves all contacts, with recovery from overlaps or without (nullptr).

@@ -26,7 +26,9 @@ void FingerGrips::begin_tick(std::span<const FingerGrip> grips, std::span<const 
     spins[i] = past_spin(grips[i]);
   }
   count_ = count;
+  is_held_.fill(false);
   for (std::size_t i = 0; i < count_; ++i) {
+    is_held_[grips[i].body] = true;
     grips_[i] = {.given = grips[i],
                  .arm_W = grips[i].point_W - bodies[grips[i].body].motion().center_W,
                  .stretch_force_W = -grips[i].spring_force_W,
@@ -89,19 +91,6 @@ bool FingerGrips::change_mode(SolvedGrip& grip, const Vec3& impulse) {
     return true;
   }
   return false;
-}
-
-void FingerGrips::begin_step(std::span<SolverBody> bodies, double step_s) {
-  step_s_ = step_s;
-  for (std::size_t i = 0; i < count_; ++i) {
-    grips_[i].mode = Mode::stick;
-    const std::uint32_t body = grips_[i].given.body;
-    const bool is_first = std::ranges::none_of(
-        std::span(grips_).first(i), [&](const SolvedGrip& g) { return g.given.body == body; });
-    if (is_first) {
-      hold(body, bodies[body]);
-    }
-  }
 }
 
 void FingerGrips::hold(std::uint32_t body, SolverBody& solver) {

@@ -46,7 +46,7 @@ struct FingerGrip {
   // The point of the body's surface that is touched, m, and the unit normal there, outward.
   Vec3 point_W = Vec3::Zero();
   Vec3 normal_W = Vec3::UnitY();
-  // The spring's force on the hand in this tick, N: K times the way from the tool to the proxy.
+  // The spring's force on the hand in this tick, N: K times the distance from the tool to the proxy.
   Vec3 spring_force_W = Vec3::Zero();
   // The stiffness K along the normal, N/m, and the damping B, Ns/m.
   double stiffness_N_per_m = 0.0;
@@ -68,6 +68,7 @@ class FingerGrips {
   // Starts over without grips. `yield_m3_per_N` is that of soft fingers, 0 for points.
   void clear(double yield_m3_per_N) {
     count_ = 0;
+    is_held_.fill(false);
     yield_m3_per_N_ = yield_m3_per_N;
   }
 
@@ -75,13 +76,22 @@ class FingerGrips {
   // fingers go on.
   void begin_tick(std::span<const FingerGrip> grips, std::span<const RigidBody> bodies);
 
-  // Begins a sub-step: gives the springs' inertia to the bodies that are held, and the springs'
-  // impulses. Fingers that would pull let go, and those that would rub too hard slip.
-  void begin_step(std::span<SolverBody> bodies, double step_s);
+  // Returns true if fingers hold any body in this tick, or this one.
+  [[nodiscard]] bool any() const { return count_ > 0; }
+  [[nodiscard]] bool holds(std::size_t body) const { return body < kMaxBodies && is_held_[body]; }
 
-  // Begins the friction of soft fingers about their normals in a sub-step, with the torque of the
-  // last one. It comes after begin_step().
-  void begin_spins(std::span<SolverBody> bodies);
+  // Begins a sub-step.
+  void begin_step(double step_s) { step_s_ = step_s; }
+
+  // Gives a body the inertia of its springs, and their impulses. Fingers that would pull let go,
+  // and those that would rub too hard slip. The body's velocities must be those that gravity and
+  // the impulses of contacts make without springs: they decide what a finger can do, and a contact
+  // that has changed them calls for this anew.
+  void hold(std::uint32_t body, SolverBody& solver);
+
+  // Takes the torques of soft fingers, which must be in the velocities, within their limits. It
+  // comes after hold().
+  void limit_spins(std::span<SolverBody> bodies);
   // Stops the turning of bodies about the normals of soft fingers once, within the limits.
   void solve_spins(std::span<SolverBody> bodies);
   // Adds the torques of soft fingers in this sub-step to the impulses on each body.
@@ -136,11 +146,11 @@ class FingerGrips {
   [[nodiscard]] double past_spin(const FingerGrip& grip) const;
   // Returns the largest torque about the normal at these velocities of the body, N m s.
   [[nodiscard]] double most_spin(const SolvedGrip& grip, const SolverBody& body) const;
-  // Solves one body with its grips.
-  void hold(std::uint32_t body, SolverBody& solver);
 
   std::array<SolvedGrip, kMostGrips> grips_;
   std::size_t count_ = 0;
+  // For each body, if a finger holds it in this tick.
+  std::array<bool, kMaxBodies> is_held_{};
   double step_s_ = 1e-3;
   double yield_m3_per_N_ = 0.0;
 };

@@ -37,7 +37,7 @@ double FingerGrips::most_spin(const SolvedGrip& grip, const SolverBody& body) co
   return kHertzTorque * grip.given.friction * push * radius_m;
 }
 
-void FingerGrips::begin_spins(std::span<SolverBody> bodies) {
+void FingerGrips::limit_spins(std::span<SolverBody> bodies) {
   for (std::size_t i = 0; yield_m3_per_N_ > 0.0 && i < count_; ++i) {
     SolvedGrip& grip = grips_[i];
     SolverBody& body = bodies[grip.given.body];
@@ -46,8 +46,9 @@ void FingerGrips::begin_spins(std::span<SolverBody> bodies) {
     const double mobility = dot(torque, grip.spin_answer);
     grip.spin_inertia = mobility > 0.0 ? 1.0 / mobility : 0.0;
     const double most = most_spin(grip, body);
-    grip.spin = std::clamp(grip.spin, -most, most);
-    body.gain(grip.spin, grip.spin_answer);
+    const double spin = std::clamp(grip.spin, -most, most);
+    body.gain(spin - grip.spin, grip.spin_answer);
+    grip.spin = spin;
   }
 }
 

@@ -49,6 +49,7 @@ void begin_turning(const PastContact* before, const SolverBody& a, const SolverB
 void follow_springs_turning(const SolverBody& a, const SolverBody& b, BodyContact& contact) {
   for (PushDirection& about : contact.about) {
     set_answers(contact.axes_W, Vec3::Zero(), a, b, about);
+    set_mass(0.0, about);
   }
 }
 

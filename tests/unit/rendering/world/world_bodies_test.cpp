@@ -179,41 +179,6 @@ TEST_F(Grasp, SwingsAboutTheFingersAsAPendulum) {
   EXPECT_NEAR(period_s, expected_s, 0.01 * expected_s);
 }
 
-// The ground holds a cube against a finger's spring, and not against the cube's own mass alone. The
-// hand feels the spring, but for what the ground yields, and the cube is at rest.
-TEST(PressedBody, IsFeltAsTheSpringAndRests) {
-  constexpr double kHalf_m = 0.02;
-  constexpr double kStiff_N_per_m = 3000.0;
-  for (const double mass_kg : {0.01, 0.1}) {
-    const double moment = 2.0 / 3.0 * mass_kg * kHalf_m * kHalf_m;
-    const Vec3 middle(0.0, kHalf_m, 0.0);
-    const ObjectBody body{
-        .mass = {.mass_kg = mass_kg, .center_O = middle, .inertia_C = moment * Mat3::Identity()}};
-    std::array<Object, 2> objects;
-    objects[0].surface = SurfaceKind::primitive;
-    objects[0].primitive.kind = PrimitiveKind::plane;
-    objects[0].material = rubber(0.5, kStiff_N_per_m, 0.0);
-    objects[1].surface = SurfaceKind::primitive;
-    objects[1].primitive = {.kind = PrimitiveKind::box,
-                            .X_WO = {.translation = middle},
-                            .dimensions_m = {kHalf_m, kHalf_m, kHalf_m}};
-    objects[1].material = rubber(0.5, kStiff_N_per_m, 0.0);
-    objects[1].moves = true;
-    objects[1].body = 0;
-    const auto world = std::make_unique<World>();
-    ASSERT_TRUE(world->set_scene(objects, {.bodies = {&body, 1}}));
-    ASSERT_TRUE(world->set_tick(kGraspTick_s));
-    constexpr double kYields_N = 0.03;
-    for (int i = -5; i < 200; ++i) {
-      const double depth_m = 1e-5 * std::min(i, 100);
-      const Touch touch = world->touch(ToolState{.p_W = {0.003, 2.0 * kHalf_m - depth_m, 0.001}});
-      const Vec3 spring_W = kStiff_N_per_m * std::max(0.0, depth_m) * Vec3::UnitY();
-      ASSERT_LT((touch.force_W - spring_W).norm(), kYields_N) << mass_kg << " kg, tick " << i;
-    }
-    EXPECT_LT(world->body(1)->motion().velocity_W.norm(), 1e-9) << mass_kg << " kg";
-  }
-}
-
 // Every pair of cubes at one place is a contact. A tool far away has the flag, too: it is told what
 // becomes of the world.
 TEST(BodyContacts, BeyondTheCapacityAreToldToEveryTool) {
