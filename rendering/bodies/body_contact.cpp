@@ -14,7 +14,7 @@ constexpr double kFastestRecovery_m_per_s = 1.0;
 // The points of a contact that hits are solved so often in a pass: their impulses begin anew, and
 // those of one side alone would turn the body about the other side. So are those of a body that
 // springs hold: a light one is held by forces that are far larger than its weight.
-constexpr int kRounds = 8;
+constexpr int kRoundsOfLoad = 8;
 // Bounces are solved until their impulses change by less than this share.
 constexpr double kLeastChange = 1e-3;
 
@@ -93,7 +93,7 @@ template <bool kHeld, bool kTurns>
 void solve_points(BodyContact& contact, SolverBody& a, SolverBody& b, double step_s,
                   const ContactSoftness* softness) {
   MeetingSolids<kHeld> solids(contact.axes_W, a, b);
-  const int rounds = kHeld || contact.hits ? kRounds : 1;
+  const int rounds = kHeld || contact.hits ? kRoundsOfLoad : 1;
   for (int round = 0; round < rounds; ++round) {
     solve_pushes(contact, solids, step_s, softness);
     if constexpr (kTurns) {

@@ -46,7 +46,8 @@ struct FingerGrip {
   // The point of the body's surface that is touched, m, and the unit normal there, outward.
   Vec3 point_W = Vec3::Zero();
   Vec3 normal_W = Vec3::UnitY();
-  // The spring's force on the hand in this tick, N: K times the distance from the tool to the proxy.
+  // The spring's force on the hand in this tick, N: K times the distance from the tool to the
+  // proxy.
   Vec3 spring_force_W = Vec3::Zero();
   // The stiffness K along the normal, N/m, and the damping B, Ns/m.
   double stiffness_N_per_m = 0.0;
