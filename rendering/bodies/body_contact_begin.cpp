@@ -8,9 +8,10 @@
 namespace tactus::rendering {
 namespace {
 
-// The contact of a body that springs hold is more than so many times as stiff as they are: the
-// hand feels the springs. A free contact's stiffness is that of its bodies' mass.
-constexpr double kStifferThanSprings = 1000.0;
+// The contact of a body that springs hold is more than so many times as stiff as they are, so that
+// the hand feels the springs. It is no stiffer than that beside the stiffness of a free contact,
+// which its bodies' mass gives: what the points yield shares the load among them.
+constexpr double kStifferThanSprings = 250.0;
 
 // Computes the answers and the masses of a point's directions by the bodies as they are now.
 void set_masses(const ContactAxes& axes_W, const SolverBody& a, const SolverBody& b,
@@ -46,7 +47,8 @@ double free_mass(const PushDirection& direction, const SolverBody& a, const Solv
 // The stiffness of a contact in a sub-step is in proportion to the mass that it pushes. Springs add
 // theirs to that mass, and the contact needs it kStifferThanSprings times.
 double yielding_of(const PushDirection& normal, const SolverBody& a, const SolverBody& b) {
-  const double of_springs = std::max(normal.mass - free_mass(normal, a, b), 0.0);
+  const double of_springs = std::max(a.stiff_share(), b.stiff_share()) *
+                            std::max(normal.mass - free_mass(normal, a, b), 0.0);
   return normal.mass / (normal.mass + kStifferThanSprings * of_springs);
 }
 

@@ -17,6 +17,13 @@ Eigen::Matrix<double, 3, 6> jacobian(const Vec3& arm_W) {
   return j;
 }
 
+// Returns the share of a finger's inertia h (B + h K) that its stiffness adds.
+double stiff_share_of(const FingerGrip& grip, double step_s) {
+  const double of_stiffness = step_s * grip.stiffness_N_per_m;
+  const double both = of_stiffness + grip.damping_Ns_per_m;
+  return both > 0.0 ? of_stiffness / both : 0.0;
+}
+
 }  // namespace
 
 void FingerGrips::begin_tick(std::span<const FingerGrip> grips, std::span<const RigidBody> bodies) {
@@ -98,6 +105,7 @@ void FingerGrips::hold(std::uint32_t body, SolverBody& solver) {
   for (int pass = 0; pass < kModePasses; ++pass) {
     Mat6 inertia = Mat6::Zero();
     Vec6 wrench = Vec6::Zero();
+    double stiff_share = 0.0;
     for (std::size_t i = 0; i < count_; ++i) {
       SolvedGrip& grip = grips_[i];
       if (grip.given.body == body) {
@@ -105,10 +113,11 @@ void FingerGrips::hold(std::uint32_t body, SolverBody& solver) {
         const auto J = jacobian(grip.arm_W);
         inertia += J.transpose() * springs_of(grip) * J;
         wrench += wrench_of(impulse_of(grip, free.velocity_at(grip.arm_W)), grip.arm_W);
+        stiff_share = std::max(stiff_share, stiff_share_of(grip.given, step_s_));
       }
     }
     solver = free;
-    solver.set_springs(inertia);
+    solver.set_springs(inertia, stiff_share);
     solver.accelerate(wrench);
     bool has_changed = false;
     for (std::size_t i = 0; i < count_ && pass + 1 < kModePasses; ++i) {

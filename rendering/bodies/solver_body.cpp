@@ -52,12 +52,13 @@ void SolverBody::begin(const RigidBody& body) {
   has_springs_ = false;
 }
 
-void SolverBody::set_springs(const Mat6& inertia) {
+void SolverBody::set_springs(const Mat6& inertia, double stiff_share) {
   Mat6 apparent = inertia;
   apparent.topLeftCorner<3, 3>() += mass_kg_ * Mat3::Identity();
   apparent.bottomRightCorner<3, 3>() += inertia_W_;
   apparent_inverse_ = inverse_of(apparent);
   has_springs_ = true;
+  stiff_share_ = stiff_share;
 }
 
 Vec6 SolverBody::impulse_since_begin() const {

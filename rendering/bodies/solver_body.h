@@ -105,8 +105,9 @@ class SolverBody {
   // Begins a sub-step with the body's velocities, without springs.
   void begin(const RigidBody& body);
 
-  // Sets what springs add to the inertia: a symmetric matrix that is not negative.
-  void set_springs(const Mat6& inertia);
+  // Sets what springs add to the inertia: a symmetric matrix that is not negative; and the share of
+  // it that their stiffness adds. Their damping adds the rest.
+  void set_springs(const Mat6& inertia, double stiff_share);
 
   // Returns the point from which arms lead: the centre of mass, or an obstacle's origin.
   [[nodiscard]] const Vec3& center_W() const { return center_W_; }
@@ -146,6 +147,8 @@ class SolverBody {
   [[nodiscard]] const Mat3& inverse_inertia_W() const { return inverse_inertia_W_; }
   // Returns true if springs hold the body in this sub-step.
   [[nodiscard]] bool has_springs() const { return has_springs_; }
+  // Returns the share of the springs' inertia that their stiffness adds; 0 without springs.
+  [[nodiscard]] double stiff_share() const { return has_springs_ ? stiff_share_ : 0.0; }
   // Returns the change of the velocities by an impulse with its torque.
   [[nodiscard]] Vec6 answer_to(const Vec6& wrench) const;
 
@@ -157,6 +160,7 @@ class SolverBody {
   Mat3 inverse_inertia_W_ = Mat3::Zero();
   // The inverse of the inertia with the springs, if springs hold the body.
   bool has_springs_ = false;
+  double stiff_share_ = 0.0;
   Mat6 apparent_inverse_ = Mat6::Zero();
   Vec6 velocity_ = Vec6::Zero();
   // The velocities at the beginning of the sub-step.
