@@ -34,17 +34,18 @@ void set_directions(const ContactAxes& axes_W, const SolverBody& a, const Solver
   set_masses(axes_W, a, b, point);
 }
 
-// Returns the mass that a direction would push if no springs held the bodies.
+// Returns the mass that a direction would push if no springs held the bodies; one can move.
 double free_mass(const PushDirection& direction, const SolverBody& a, const SolverBody& b) {
   const auto torque_b = direction.torques.head<3>();
   const auto torque_a = direction.torques.tail<3>();
   const double mobility = a.inverse_mass() + b.inverse_mass() +
                           torque_b.dot(b.inverse_inertia_W() * torque_b) +
                           torque_a.dot(a.inverse_inertia_W() * torque_a);
-  return mobility > 0.0 ? 1.0 / mobility : 0.0;
+  return 1.0 / mobility;
 }
 
-// The stiffness of a contact in a sub-step is in proportion to the mass that it pushes. Springs add
+// Returns the share of a free contact's yielding that is left; all of it without springs. The
+// stiffness of a contact in a sub-step is in proportion to the mass that it pushes. Springs add
 // theirs to that mass, and the contact needs it kStifferThanSprings times.
 double yielding_of(const PushDirection& normal, const SolverBody& a, const SolverBody& b) {
   const double of_springs = std::max(a.stiff_share(), b.stiff_share()) *
@@ -74,7 +75,7 @@ void follow_springs(std::span<const SolverBody> bodies, BodyContact& contact) {
   const SolverBody& b = bodies[contact.b];
   for (SolvedPoint& point : std::span(contact.points).first(contact.count)) {
     set_masses(contact.axes_W, a, b, point);
-    point.yielding = is_held(a, b) ? yielding_of(point.along[0], a, b) : 1.0;
+    point.yielding = yielding_of(point.along[0], a, b);
   }
   if (contact.surface.resists_turning()) {
     follow_springs_turning(a, b, contact);

@@ -96,8 +96,7 @@ void BodyWorld::step_awake(double tick_s, std::span<const FingerGrip> grips) {
     shifts_[body_count_ + i] = {};
   }
   const double step_s = tick_s / kSubSteps;
-  grips_.begin_tick(grips, bodies());
-  grips_.begin_step(step_s);
+  grips_.begin_tick(grips, bodies(), step_s);
   find_contacts(tick_s);
   for (int i = 0; i < kSubSteps; ++i) {
     sub_step(step_s, i + 1 == kSubSteps);

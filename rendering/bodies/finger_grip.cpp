@@ -26,7 +26,9 @@ double stiff_share_of(const FingerGrip& grip, double step_s) {
 
 }  // namespace
 
-void FingerGrips::begin_tick(std::span<const FingerGrip> grips, std::span<const RigidBody> bodies) {
+void FingerGrips::begin_tick(std::span<const FingerGrip> grips, std::span<const RigidBody> bodies,
+                             double step_s) {
+  step_s_ = step_s;
   std::array<double, kMostGrips> spins{};
   const std::size_t count = std::min(grips.size(), kMostGrips);
   for (std::size_t i = 0; i < count; ++i) {

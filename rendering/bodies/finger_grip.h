@@ -73,16 +73,14 @@ class FingerGrips {
     yield_m3_per_N_ = yield_m3_per_N;
   }
 
-  // Takes the grips, at most kMostGrips; arms lead from the bodies' centres. The torques of soft
-  // fingers go on.
-  void begin_tick(std::span<const FingerGrip> grips, std::span<const RigidBody> bodies);
+  // Takes the grips, at most kMostGrips, of a tick in sub-steps of this length; arms lead from the
+  // bodies' centres. The torques of soft fingers go on.
+  void begin_tick(std::span<const FingerGrip> grips, std::span<const RigidBody> bodies,
+                  double step_s);
 
-  // Returns true if fingers hold any body in this tick, or this one.
+  // Return true if fingers hold any body in this tick, or this one.
   [[nodiscard]] bool any() const { return count_ > 0; }
   [[nodiscard]] bool holds(std::size_t body) const { return body < kMaxBodies && is_held_[body]; }
-
-  // Begins a sub-step.
-  void begin_step(double step_s) { step_s_ = step_s; }
 
   // Gives a body the inertia of its springs, and their impulses. Fingers that would pull let go,
   // and those that would rub too hard slip. The body's velocities must be those that gravity and
@@ -150,7 +148,7 @@ class FingerGrips {
 
   std::array<SolvedGrip, kMostGrips> grips_;
   std::size_t count_ = 0;
-  // For each body, if a finger holds it in this tick.
+  // True for a body that a finger holds in this tick.
   std::array<bool, kMaxBodies> is_held_{};
   double step_s_ = 1e-3;
   double yield_m3_per_N_ = 0.0;

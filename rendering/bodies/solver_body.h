@@ -158,7 +158,8 @@ class SolverBody {
   double inverse_mass_ = 0.0;
   Mat3 inertia_W_ = Mat3::Zero();
   Mat3 inverse_inertia_W_ = Mat3::Zero();
-  // The inverse of the inertia with the springs, if springs hold the body.
+  // True if springs hold the body; then the share of their inertia that their stiffness adds, and
+  // the inverse of the inertia with them.
   bool has_springs_ = false;
   double stiff_share_ = 0.0;
   Mat6 apparent_inverse_ = Mat6::Zero();

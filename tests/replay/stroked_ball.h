@@ -37,7 +37,7 @@ inline const std::vector<std::string> kOnFormulas{"tracking", "plain_tracking"};
 inline const std::string kRubs = "friction = { static = 0.6, dynamic = 0.4 }\n";
 inline const std::string kFormula =
     "[[object]]\nname = \"ball\"\nformula = \"sphere(1)\"\nscale = 0.02\nstiffness_N_per_m = 500\n";
-// The same for a method that needs triangles. Coarse ones are cut in little time.
+// The ball for a method that needs triangles: coarse ones, which are cut in little time.
 inline const std::string kMesh = kFormula + "tolerance_m = 1e-4\n";
 inline const std::string kPrimitive =
     "[[object]]\nname = \"ball\"\nprimitive = \"sphere\"\nradius_m = 0.02\nstiffness_N_per_m = "

@@ -23,7 +23,7 @@ constexpr double kPressStiffness_N_per_m = 3000.0;
 constexpr double kCubeHalf_m = 0.02;
 constexpr std::size_t kMostCubes = 3;
 
-// What pressings differ by.
+// The surfaces of the ground and the cubes of a pressing.
 struct Pressing {
   double friction = 0.5;
   double damping_Ns_per_m = 0.0;
@@ -97,22 +97,24 @@ class PressedCubes {
   std::unique_ptr<World> world_ = std::make_unique<World>();
 };
 
-// The finger comes down slowly at places up to the cube's rim, and stays.
+// The finger comes down slowly at places up to the cube's rim, and stays. The friction of the
+// ground keeps a little of the force with which a body of less than a gram is pressed at its rim.
 void expect_spring(double mass_kg, double center_m, const Pressing& pressing, double place_m) {
   PressedCubes cubes(pressing);
   cubes.add(mass_kg, center_m);
   ASSERT_TRUE(cubes.start());
-  constexpr double kShare = 0.02;
-  constexpr double kFree_N = 0.003;
+  const bool is_very_light = mass_kg < 1e-3;
   for (int i = -5; i < 200; ++i) {
     const double depth_m = 1e-5 * std::min(i, 100);
     const Vec3 felt_W = cubes.press(depth_m, place_m, place_m / 3.0);
     const double spring_N = kPressStiffness_N_per_m * std::max(0.0, depth_m);
-    ASSERT_LT((felt_W - spring_N * Vec3::UnitY()).norm(), kShare * spring_N + kFree_N)
+    const double most_N = is_very_light ? 0.02 * spring_N + 0.003 : 0.01;
+    ASSERT_LT((felt_W - spring_N * Vec3::UnitY()).norm(), most_N)
         << mass_kg << " kg at " << place_m << " m, centre " << center_m << " m, friction "
         << pressing.friction << ", damping " << pressing.damping_Ns_per_m << ", tick " << i;
   }
-  EXPECT_LT(cubes.fastest_m_per_s(), 1e-3) << mass_kg << " kg at " << place_m << " m";
+  EXPECT_LT(cubes.fastest_m_per_s(), is_very_light ? 1e-5 : 1e-9)
+      << mass_kg << " kg at " << place_m << " m";
 }
 
 TEST(PressedBody, IsFeltAsTheSpringAndRests) {
