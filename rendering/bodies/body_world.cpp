@@ -144,18 +144,26 @@ void BodyWorld::sub_step(double step_s, bool is_last) {
   grips_.end_step(moved_);
 }
 
-// The impulses of contacts decide which fingers let go or slip, and they change in each pass.
+// The impulses of contacts decide which fingers let go or slip, and they change in each pass. Where
+// they are those of the pass before, as of a body without contacts, the springs are solved already.
 void BodyWorld::hold_bodies() {
   if (!grips_.any()) {
     return;
   }
   sum_impulses();
+  bool has_changed = false;
   for (const std::uint8_t i : awake()) {
-    if (grips_.holds(i)) {
+    const bool is_solved = solids_[i].has_springs() && pushed_[i] == held_against_[i];
+    if (grips_.holds(i) && !is_solved) {
       solids_[i].begin(bodies_[i]);
       solids_[i].accelerate(pushed_[i]);
       grips_.hold(i, solids_[i]);
+      held_against_[i] = pushed_[i];
+      has_changed = true;
     }
+  }
+  if (!has_changed) {
+    return;
   }
   for (BodyContact& contact : std::span(contacts_).first(contact_count_)) {
     if (is_held(contact)) {

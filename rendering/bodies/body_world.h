@@ -208,6 +208,8 @@ class BodyWorld {
   std::array<Shift, kMostSolids> shifts_;
   std::array<Vec6, kMostSolids> pushed_;
   std::array<Vec6, kMaxBodies> moved_;
+  // The impulses of contacts for which the springs of a body are solved.
+  std::array<Vec6, kMaxBodies> held_against_;
   JoinedManifolds joined_;
   MeshContact mesh_contact_;
   FieldContact field_contact_;
