@@ -33,6 +33,9 @@ class LinuxCanBus final : public CanBus {
   Result<void> open(std::string_view interface);
   // Closes the socket. `send` and `receive` then return `disconnected`.
   void close() { socket_.reset(); }
+  // Returns the socket's descriptor, to wait for several buses at once: it is readable when
+  // `receive` has something to return. -1 while closed.
+  [[nodiscard]] int descriptor() const { return socket_.get(); }
 
  private:
   // The number of frames that one system call carries.

@@ -72,7 +72,8 @@ void CanDrives::connect(EmulatedMachine& machine,
     machine.connect({.shaft = &drive->shaft(),
                      .transmission = transmissions[i],
                      .set_fault = [drive](EmulatorFault fault) { drive->set_fault(fault); }});
-    machine.add_device([drive](hal::TimeNs now_ns) { drive->run(now_ns); });
+    machine.add_listener([drive](hal::TimeNs now_ns) { drive->run(now_ns); },
+                         drives_[i].bus->descriptor());
   }
 }
 

@@ -8,12 +8,15 @@ namespace tactus::host {
 void CanEmulator::run(hal::TimeNs now_ns) {
   std::array<hal::CanReceived, 8> received;  // few arrive between two runs
   const bool hears = fault_.has_power(now_ns);
-  while (const auto count = bus_.receive(received, hal::kNoWait)) {
-    for (std::size_t i = 0; hears && i < *count; ++i) {
+  bool may_be_more = true;
+  while (may_be_more) {
+    const std::size_t count = bus_.receive(received, hal::kNoWait).value_or(0);
+    for (std::size_t i = 0; hears && i < count; ++i) {
       if (received[i].kind == hal::CanReceived::Kind::frame) {
         take(now_ns, received[i].frame);
       }
     }
+    may_be_more = count == received.size();
   }
   if (!hears) {
     waiting_.clear();

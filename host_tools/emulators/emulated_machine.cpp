@@ -70,11 +70,31 @@ void EmulatedMachine::skip_to(hal::TimeNs now_ns) {
   }
 }
 
+void EmulatedMachine::add_listener(std::function<void(hal::TimeNs)> run, int descriptor) {
+  listeners_.push_back(std::move(run));
+  descriptors_.push_back(descriptor);
+}
+
 void EmulatedMachine::step() {
   turn_shafts();
   for (const auto& device : devices_) {
     device(next_step_ns_);
   }
+  for (const auto& listener : listeners_) {
+    listener(next_step_ns_);
+  }
+  finish_step();
+}
+
+void EmulatedMachine::coast() {
+  turn_shafts();
+  for (const auto& device : devices_) {
+    device(next_step_ns_);
+  }
+  finish_step();
+}
+
+void EmulatedMachine::finish_step() {
   move(take_torques());
   next_step_ns_ += step_ns_;
 }

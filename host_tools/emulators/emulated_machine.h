@@ -12,6 +12,7 @@
 #include <cstdint>
 #include <functional>
 #include <limits>
+#include <span>
 #include <vector>
 
 #include "drivers/composition/transmission.h"
@@ -83,6 +84,9 @@ class EmulatedMachine {
   // Adds the program of a device. It is called in every step with the step's time, after the shafts
   // have been turned.
   void add_device(std::function<void(hal::TimeNs)> run) { devices_.push_back(std::move(run)); }
+  // Adds the program of a device that acts on messages, which arrive at a descriptor. It is called
+  // likewise, but not in the steps of coast().
+  void add_listener(std::function<void(hal::TimeNs)> run, int descriptor);
 
   // Returns the number of joints of the mechanism.
   [[nodiscard]] std::size_t joints() const { return joints_of(plant_parameters_.mechanism); }
@@ -91,9 +95,16 @@ class EmulatedMachine {
 
   // Returns when the next step begins; plant and shafts do not move until then.
   [[nodiscard]] hal::TimeNs next_step_ns() const { return next_step_ns_; }
+  [[nodiscard]] hal::TimeNs step_ns() const { return step_ns_; }
   // Turns the shafts to the joints' positions, runs the devices, and advances the plant by one
   // step.
   void step();
+  // Makes a step as step() does, in which no message has arrived: listeners are not run.
+  void coast();
+  // Returns true if every device is a listener, and there is one.
+  [[nodiscard]] bool only_listens() const { return devices_.empty() && !listeners_.empty(); }
+  // Returns the descriptors of the listeners in the order in which they were added.
+  [[nodiscard]] std::span<const int> descriptors() const { return descriptors_; }
   // Makes every step that begins at `now_ns` or earlier.
   void run(hal::TimeNs now_ns);
   // Leaves out the steps that begin before `now_ns`; the machine does not move in that time.
@@ -108,6 +119,8 @@ class EmulatedMachine {
   [[nodiscard]] const Plant& plant() const { return plant_; }
 
  private:
+  // Advances plant and hand to the end of the step, under the torques of the shafts.
+  void finish_step();
   // Notes the true state and turns each shaft by its transmission.
   void turn_shafts();
   // Returns the joints' efforts from the shafts' torques.
@@ -125,6 +138,8 @@ class EmulatedMachine {
   Plant plant_;
   std::vector<EmulatedAxis> axes_;
   std::vector<std::function<void(hal::TimeNs)>> devices_;
+  std::vector<std::function<void(hal::TimeNs)>> listeners_;
+  std::vector<int> descriptors_;
   MachineTruth truth_;
 };
 

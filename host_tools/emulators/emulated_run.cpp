@@ -11,7 +11,10 @@
 namespace tactus::host {
 
 EmulatedRun::EmulatedRun(EmulatedMachine& machine, EmulatedRunConfig config)
-    : machine_(machine), config_(std::move(config)), next_truth_ns_(machine.next_step_ns()) {
+    : machine_(machine),
+      config_(std::move(config)),
+      next_truth_ns_(machine.next_step_ns()),
+      next_listening_ns_(machine.next_step_ns()) {
   for (const PlannedFault& planned : config_.faults) {
     if (planned.joint && *planned.joint >= machine_.joints()) {
       throw InputError(fmt::format("a fault of axis {}: this device has the axes 0 to {}",
@@ -31,8 +34,8 @@ EmulatedRun::EmulatedRun(EmulatedMachine& machine, EmulatedRunConfig config)
   }
 }
 
-void EmulatedRun::run(hal::TimeNs now_ns) {
-  const hal::TimeNs delay_ns = now_ns - machine_.next_step_ns();
+void EmulatedRun::run(hal::TimeNs now_ns, hal::TimeNs due_ns) {
+  const hal::TimeNs delay_ns = now_ns - due_ns;
   longest_delay_ns_ = std::max(longest_delay_ns_, delay_ns);
   if (delay_ns > kLongestDelay_ns) {
     machine_.skip_to(now_ns);
@@ -40,8 +43,18 @@ void EmulatedRun::run(hal::TimeNs now_ns) {
   }
   while (machine_.next_step_ns() <= now_ns) {
     apply_faults();
-    machine_.step();
+    make_step(machine_.next_step_ns() + machine_.step_ns() > now_ns);
     keep_truth();
+  }
+}
+
+void EmulatedRun::make_step(bool is_last) {
+  const hal::TimeNs step_ns = machine_.next_step_ns();
+  if (is_last || step_ns >= next_listening_ns_) {
+    next_listening_ns_ = step_ns + kListeningPeriod_ns;
+    machine_.step();
+  } else {
+    machine_.coast();
   }
 }
 

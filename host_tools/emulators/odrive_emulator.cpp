@@ -69,7 +69,13 @@ ODriveEmulator::ODriveEmulator(hal::CanBus& bus, std::uint32_t seed,
                                const ODriveEmulatorConfig& config)
     : CanEmulator(bus, seed),
       config_(config),
-      host_{.speed_limit_turn_per_s = config.speed_limit_turn_per_s} {}
+      host_{.speed_limit_turn_per_s = config.speed_limit_turn_per_s} {
+  // Spares it the frames of others, which take() would leave aside: nothing is lost if it fails.
+  constexpr std::uint32_t kNodeBits = 0x7E0;
+  const hal::CanFilter own{.word = std::uint32_t{config.node_id} << 5U,
+                           .mask = kNodeBits | hal::CanFilter::kExtended};
+  (void)bus.set_filters({&own, 1});
+}
 
 void ODriveEmulator::take(hal::TimeNs now_ns, const hal::CanFrame& frame) {
   if (frame.extended || frame.fd || (frame.id >> 5U) != config_.node_id) {

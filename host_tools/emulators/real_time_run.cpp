@@ -1,12 +1,16 @@
 #include "host_tools/emulators/real_time_run.h"
 
 #include <fmt/format.h>
+#include <poll.h>
 #include <sched.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <csignal>
 #include <cstring>
 #include <ctime>
+#include <span>
+#include <vector>
 
 #include "hal/linux/clock.h"
 #include "hal/linux/system.h"
@@ -38,6 +42,15 @@ class EndSignals {
   hal::SignalMask held_{SIG_BLOCK, signals_};
 };
 
+// Returns when the machine should run next, after it has slept until something arrived for a
+// listener: a message is acted on at the next step, together with those that follow it closely.
+hal::TimeNs next_wake_ns(std::span<pollfd> listeners, hal::TimeNs step_ns, hal::TimeNs latest_ns) {
+  if (hal::wait_for_descriptors(listeners, latest_ns) <= 0) {
+    return latest_ns;
+  }
+  return std::min(latest_ns, hal::next_instant_ns({.period_ns = step_ns}, hal::monotonic_now_ns()));
+}
+
 }  // namespace
 
 void take_realtime_priority(int priority) {
@@ -65,9 +78,18 @@ void run_in_real_time(EmulatedRun& run, const RealTimeOptions& options, const Ru
       options.seconds ? start_ns + static_cast<hal::TimeNs>(*options.seconds * 1e9) : hal::kForever;
   hal::TimeNs next_status_ns = start_ns + kSecond_ns;
   hal::TimeNs next_signal_ns = start_ns;
-  for (hal::Wake wake = clock.sleep_until(start_ns); wake.scheduled_ns < end_ns;
-       wake = clock.sleep_to_phase({.period_ns = options.step_ns}, wake)) {
-    run.run(wake.woke_ns);
+  const bool listens = run.machine().only_listens();
+  std::vector<pollfd> listeners;
+  for (const int descriptor : run.machine().descriptors()) {
+    listeners.push_back({.fd = descriptor, .events = POLLIN, .revents = 0});
+  }
+  // The messages that listeners send by their own clocks are due at whole periods after the start.
+  constexpr hal::TimeNs kPeriod_ns = EmulatedRun::kListeningPeriod_ns;
+  const hal::Phase phase = listens ? hal::Phase{kPeriod_ns, start_ns % kPeriod_ns}
+                                   : hal::Phase{.period_ns = options.step_ns};
+  hal::Wake wake = clock.sleep_until(start_ns);
+  while (wake.scheduled_ns < end_ns) {
+    run.run(wake.woke_ns, wake.scheduled_ns);
     if (wake.woke_ns >= next_status_ns) {
       sink(run);
       next_status_ns += kSecond_ns;
@@ -78,6 +100,10 @@ void run_in_real_time(EmulatedRun& run, const RealTimeOptions& options, const Ru
       }
       next_signal_ns = wake.woke_ns + kSignalPeriod_ns;
     }
+    const hal::TimeNs latest_ns =
+        hal::next_instant_ns(phase, std::max(clock.now_ns(), wake.scheduled_ns));
+    wake = clock.sleep_until(listens ? next_wake_ns(listeners, options.step_ns, latest_ns)
+                                     : latest_ns);
   }
 }
 

@@ -27,7 +27,9 @@ hal::TimeNs start_of_run_ns(const RealTimeOptions& options);
 // Is called once a second of the run.
 using RunStatusSink = std::function<void(const EmulatedRun&)>;
 
-// Runs until the time is over or a signal ends the program.
+// Runs until the time is over or a signal ends the program. A machine whose devices all listen
+// sleeps until something arrives for one of them or EmulatedRun::kListeningPeriod_ns is over, and
+// makes the steps up to then; any other wakes for each step.
 void run_in_real_time(EmulatedRun& run, const RealTimeOptions& options, const RunStatusSink& sink);
 
 }  // namespace tactus::host

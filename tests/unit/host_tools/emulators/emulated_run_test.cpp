@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <vector>
 
 #include "host_tools/csv/csv_table.h"
 #include "host_tools/input_error.h"
@@ -62,6 +63,37 @@ TEST(EmulatedRun, MakesUpForASmallDelayAndLeavesOutALargeOne) {
   bench.run->run(200 * kMs);
   EXPECT_EQ(bench.run->truth().size(), 22U);
   EXPECT_EQ(bench.run->left_out_ns(), 180 * kMs - 100'000);
+}
+
+// A listener may be run rarely, since it acts on messages; those that have arrived have so after
+// the steps that are made up for.
+TEST(EmulatedRun, ADeviceThatListensIsRunInTheLastStepAndOnceAMillisecond) {
+  RunBench bench({});
+  std::vector<hal::TimeNs> heard_ns;
+  std::vector<hal::TimeNs> stepped_ns;
+  bench.machine.add_device([&](hal::TimeNs now_ns) { stepped_ns.push_back(now_ns); });
+  bench.machine.add_listener([&](hal::TimeNs now_ns) { heard_ns.push_back(now_ns); }, 7);
+  for (const hal::TimeNs now_ns : {0, 750'000, 790'000, 2'500'000}) {
+    bench.run->run(now_ns);
+  }
+  EXPECT_EQ(heard_ns, (std::vector<hal::TimeNs>{0, 700'000, 1'700'000, 2'500'000}));
+  ASSERT_EQ(stepped_ns.size(), 26U);
+  EXPECT_EQ(stepped_ns.back(), 2'500'000);
+}
+
+// A torque that a message brings acts from when it came on, and not in the steps before.
+TEST(EmulatedRun, ATorqueThatIsHeardLateDoesNotActOnWhatWasBefore) {
+  RunBench late({.truth_period_ns = 100'000});
+  RunBench never({.truth_period_ns = 100'000});
+  late.machine.add_listener([&](hal::TimeNs now_ns) { late.shafts[0].torque_Nm = now_ns > 0; }, 7);
+  for (RunBench* bench : {&late, &never}) {
+    bench->run->run(0);
+    bench->run->run(900'000);
+    bench->run->run(1'000'000);
+  }
+  ASSERT_EQ(late.run->truth().size(), 11U);
+  EXPECT_EQ(late.run->truth()[9].handle_p_B, never.run->truth()[9].handle_p_B);
+  EXPECT_NE(late.run->truth()[10].handle_p_B, never.run->truth()[10].handle_p_B);
 }
 
 TEST(EmulatedRun, TruthFileHasAColumnForEverythingAboutEachJoint) {
