@@ -7,6 +7,8 @@
 
 #include <Eigen/Geometry>
 
+#include "rendering/geometry/tangential.h"
+
 namespace tactus::rendering {
 namespace {
 
@@ -50,22 +52,37 @@ double largest_cosine(const ProxyRest& rest) {
 // Returns the share of the second part that is applied. Where the softest surface holds nearly
 // alone, the second part has the stiffness (K_hard - K_soft) m^2, and the first K_soft; their sum
 // is at most twice K_hard. Between normals less than 60 degrees apart the second part is stiffest
-// where both surfaces hold, by about the inverse cube of 1 - cosine.
+// where both surfaces hold, by about the inverse cube of 1 - cosine. A lag makes all of it stiffer
+// by `by_lag`.
 double share_of_sideways(const ProxyRest& rest, const DualBasis& dual, double softest,
-                         double hardest) {
+                         double hardest, double by_lag) {
   double longest = 1.0;  // squared
   for (const Vec3& m : dual) {
     longest = std::max(longest, m.squaredNorm());
   }
-  const double at_softest = (2.0 * hardest - softest) / ((hardest - softest) * longest);
+  const double at_softest = (2.0 * hardest - softest) / ((hardest - softest) * longest * by_lag);
   constexpr double kWholeFrom = 0.49;  // 1 - cosine; 59.3 degrees
   const double apart = (1.0 - largest_cosine(rest)) / kWholeFrom;
-  return std::min({1.0, at_softest, apart * apart * apart});
+  return std::min({1.0, at_softest, apart * apart * apart / (by_lag * by_lag)});
+}
+
+// Returns the square of the lag, in lengths of the stretch over the planes. Between three planes
+// there is none. Where force shading has lifted the goal toward the proxy, the pressures are those
+// of a shallower tool, and the lag is to be shallower with them.
+double squared_lag(const ProxyRest& rest, const Vec3& stretch_W) {
+  const double depth = stretch_W.dot(rest.normal_W);
+  if (rest.plane_count != 2 || !(depth > 0.0)) {
+    return 0.0;
+  }
+  const Vec3 crease = crease_between(rest.planes[0].plane.normal, rest.planes[1].plane.normal);
+  const double lag = crease.dot(stretch_W) / depth;
+  return std::min(lag * lag, kMostLag * kMostLag);
 }
 
 }  // namespace
 
-CornerSpring corner_spring(const ProxyRest& rest, const std::array<double, 3>& stiffness_N_per_m) {
+CornerSpring corner_spring(const ProxyRest& rest, const std::array<double, 3>& stiffness_N_per_m,
+                           const Vec3& stretch_W) {
   CornerSpring spring;
   if (rest.plane_count == 0) {
     return spring;
@@ -92,14 +109,15 @@ CornerSpring corner_spring(const ProxyRest& rest, const std::array<double, 3>& s
       rest.plane_count == 2
           ? dual_of_two(planes[0].plane.normal, planes[1].plane.normal)
           : dual_of_three(planes[0].plane.normal, planes[1].plane.normal, planes[2].plane.normal);
-  Vec3 stretch = Vec3::Zero();
+  Vec3 over_planes = Vec3::Zero();
   for (std::size_t i = 0; i < rest.plane_count; ++i) {
     const double pressure = rest.pressure_m[i];
-    stretch += pressure * planes[i].plane.normal;
+    over_planes += pressure * planes[i].plane.normal;
     spring.sideways_W += pressure * (stiffness_N_per_m[i] - spring.stiffness_N_per_m) * dual[i];
   }
-  spring.sideways_W *=
-      share_of_sideways(rest, dual, *softest, *hardest) * stretch.squaredNorm() / squares;
+  const double by_lag = 1.0 + squared_lag(rest, stretch_W);
+  spring.sideways_W *= share_of_sideways(rest, dual, *softest, *hardest, by_lag) * by_lag *
+                       over_planes.squaredNorm() / squares;
   return spring;
 }
 

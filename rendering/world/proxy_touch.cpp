@@ -181,11 +181,12 @@ ProxyTouch::BlendedSurface ProxyTouch::blend_surfaces(const SceneObjects& scene,
   if (rest.plane_count == 0) {
     return blended;
   }
-  blended.spring = corner_spring(rest, stiffness_N_per_m);
-  blended.depth_m = (proxy_.position_W() - tool.p_W).dot(rest.normal_W);
+  const Vec3 stretch_W = proxy_.position_W() - tool.p_W;
+  blended.spring = corner_spring(rest, stiffness_N_per_m, stretch_W);
+  blended.depth_m = stretch_W.dot(rest.normal_W);
   blended.effective_depth_m = blended.depth_m;
   if (blended.detailed) {
-    blended.plain_spring = corner_spring(rest, plain_N_per_m);
+    blended.plain_spring = corner_spring(rest, plain_N_per_m, stretch_W);
     blended.effective_depth_m = std::max(blended.depth_m + height / blended.pressure_m, 0.0);
     // The force's magnitude is that of the effective depth, so lean and friction are scaled to it.
     const double share = blended.depth_m > 0.0 ? blended.effective_depth_m / blended.depth_m : 0.0;

@@ -155,6 +155,22 @@ TEST(CornerFriction, ChangesContinuouslyFromOneSurfaceToTheOther) {
   }
 }
 
+// Returns the work of the force on the tool along straight segments between the corners.
+double given_out_J(Groove& groove, const std::vector<Vec3>& corners) {
+  double work_J = 0.0;
+  Vec3 force = groove.touch(corners.front()).force_W;
+  for (std::size_t i = 1; i < corners.size(); ++i) {
+    constexpr int kSteps = 2000;
+    const Vec3 step = (corners[i] - corners[i - 1]) / kSteps;
+    for (int k = 1; k <= kSteps; ++k) {
+      const Vec3 next = groove.touch(corners[i - 1] + k * step).force_W;
+      work_J += 0.5 * (force + next).dot(step);
+      force = next;
+    }
+  }
+  return work_J;
+}
+
 // A path of the tool that comes back to its start in contact, with stops, and out of contact again.
 TEST(CornerFriction, GivesNothingOutOnAClosedPath) {
   std::mt19937 random(3);
@@ -169,24 +185,36 @@ TEST(CornerFriction, GivesNothingOutOnAClosedPath) {
                       {1000.0 * softer, right.parameters});
         std::vector<Vec3> corners{{0.0, 0.001, 0.0}};
         for (int i = 0; i < 6; ++i) {
-          corners.emplace_back(0.0008 * any(random), -0.002 + 0.001 * any(random),
-                               0.002 * any(random));
+          const std::array<double, 3> drawn{any(random), any(random), any(random)};
+          corners.emplace_back(0.0008 * drawn[0], -0.002 + 0.001 * drawn[1], 0.002 * drawn[2]);
         }
         corners.push_back(corners.front());
-        double given_out_J = 0.0;
-        Vec3 force = groove.touch(corners.front()).force_W;
-        for (std::size_t i = 1; i < corners.size(); ++i) {
-          constexpr int kSteps = 2000;
-          const Vec3 step = (corners[i] - corners[i - 1]) / kSteps;
-          for (int k = 1; k <= kSteps; ++k) {
-            const Vec3 next = groove.touch(corners[i - 1] + k * step).force_W;
-            given_out_J += 0.5 * (force + next).dot(step);
-            force = next;
-          }
-        }
-        EXPECT_LE(given_out_J, 1e-9) << left.name << ", " << right.name << ", " << softer;
+        EXPECT_LE(given_out_J(groove, corners), 1e-9)
+            << left.name << ", " << right.name << ", " << softer;
       }
     }
+  }
+}
+
+// Cones hold the proxy still in the groove while the tool goes from where it presses the softer
+// surface to where it presses the harder one.
+TEST(CornerFriction, OfConesGivesNothingOutOnAnyClosedPath) {
+  constexpr FrictionParameters kRoughCone{
+      .kind = FrictionKind::cone, .coulomb = 0.5, .static_level = 0.8};
+  std::mt19937 random(4);
+  std::uniform_real_distribution<double> any(-1.0, 1.0);
+  const int paths = testing::share_of(150);
+  for (int path = 0; path < paths; ++path) {
+    const double softer = 0.6 + 0.4 * any(random);
+    Groove groove(0.25 * std::numbers::pi, {1000.0, kRoughCone},
+                  {1000.0 * softer, scaled(kRoughCone, 0.2)});
+    std::vector<Vec3> corners{{0.0, 0.001, 0.0}};
+    for (int i = 0; i < 6; ++i) {
+      const std::array<double, 3> drawn{any(random), any(random), any(random)};
+      corners.emplace_back(0.0008 * drawn[0], -0.002 + 0.001 * drawn[1], 0.002 * drawn[2]);
+    }
+    corners.push_back(corners.front());
+    EXPECT_LE(given_out_J(groove, corners), 1e-9) << "path " << path << ", softer " << softer;
   }
 }
 

@@ -186,8 +186,10 @@ TEST(CornerOfStiffnesses, OfThreeGivesNothingOutOnAClosedPath) {
   }
 }
 
-// The potential of a corner, in the coordinates of the pressures.
-double potential_J(const ProxyRest& rest, const std::array<double, 3>& stiffness) {
+// The potential of a corner, in the coordinates of the pressures, for a proxy that friction holds
+// back along the corner by a lag.
+double potential_J(const ProxyRest& rest, const std::array<double, 3>& stiffness,
+                   double lag_m = 0.0) {
   Vec3 stretch = Vec3::Zero();
   double squares = 0.0;
   double weighted = 0.0;
@@ -196,7 +198,17 @@ double potential_J(const ProxyRest& rest, const std::array<double, 3>& stiffness
     squares += rest.pressure_m[i] * rest.pressure_m[i];
     weighted += stiffness[i] * rest.pressure_m[i] * rest.pressure_m[i];
   }
-  return 0.5 * weighted / squares * stretch.squaredNorm();
+  return 0.5 * weighted / squares * (stretch.squaredNorm() + lag_m * lag_m);
+}
+
+// Returns the stretch over the planes, and sets the normal that they have together.
+Vec3 stretch_over(ProxyRest& rest) {
+  Vec3 stretch = Vec3::Zero();
+  for (std::size_t i = 0; i < rest.plane_count; ++i) {
+    stretch += rest.pressure_m[i] * rest.planes[i].plane.normal;
+  }
+  rest.normal_W = stretch.normalized();
+  return stretch;
 }
 
 TEST(CornerSpring, IsTheGradientOfThePotential) {
@@ -226,12 +238,16 @@ TEST(CornerSpring, IsTheGradientOfThePotential) {
       continue;
     }
     ++tried;
-    const CornerSpring spring = corner_spring(rest, stiffness);
-    Vec3 stretch = Vec3::Zero();
-    for (std::size_t i = 0; i < rest.plane_count; ++i) {
-      stretch += rest.pressure_m[i] * rest.planes[i].plane.normal;
-    }
+    // Between two planes friction may hold the proxy back along their crease.
+    const Vec3 over_planes = stretch_over(rest);
+    const bool lags = rest.plane_count == 2 && cosines.maxCoeff() < 0.2;
+    const double lag_m = lags ? any(random) * over_planes.norm() : 0.0;
+    const Vec3 stretch = over_planes + lag_m * normals.col(2);
+    const CornerSpring spring = corner_spring(rest, stiffness, stretch);
     const Vec3 force = spring.stiffness_N_per_m * stretch + spring.sideways_W;
+    if (lags) {
+      ASSERT_NEAR(spring.sideways_W.dot(normals.col(2)), 0.0, 1e-12) << "across the crease";
+    }
     // A change of one pressure is a step of the stretch along that normal.
     constexpr double kNudge_m = 1e-7;
     for (std::size_t i = 0; i < rest.plane_count; ++i) {
@@ -240,7 +256,8 @@ TEST(CornerSpring, IsTheGradientOfThePotential) {
       more.pressure_m[i] += kNudge_m;
       less.pressure_m[i] -= kNudge_m;
       const double slope =
-          (potential_J(more, stiffness) - potential_J(less, stiffness)) / (2.0 * kNudge_m);
+          (potential_J(more, stiffness, lag_m) - potential_J(less, stiffness, lag_m)) /
+          (2.0 * kNudge_m);
       ASSERT_NEAR(force.dot(rest.planes[i].plane.normal), slope, 1e-6);
     }
   }
@@ -248,7 +265,7 @@ TEST(CornerSpring, IsTheGradientOfThePotential) {
 
 // The slope of the force along any direction. Between normals nearer to parallel or opposite the
 // first part of the force alone is steep, since it passes from one stiffness to the other.
-TEST(CornerSpring, IsAtMostAboutTwiceAsStiffAsItsHardestSurface) {
+void expect_about_twice_as_stiff(double lag) {
   constexpr double kHard = 1000.0;
   for (double degrees = 30.0; degrees < 171.0; degrees += 1.0) {
     const Vec3 n0 = at_degrees(0.0);
@@ -257,9 +274,10 @@ TEST(CornerSpring, IsAtMostAboutTwiceAsStiffAsItsHardestSurface) {
       ProxyRest rest{.pressure_m = {first, second, 0.0}, .plane_count = 2};
       rest.planes[0].plane.normal = n0;
       rest.planes[1].plane.normal = n1;
-      const CornerSpring spring = corner_spring(rest, {kHard, 200.0, 0.0});
+      const Vec3 stretch = stretch_over(rest) + lag * Vec3::UnitZ();
+      const CornerSpring spring = corner_spring(rest, {kHard, 200.0, 0.0}, stretch);
       EXPECT_TRUE(spring.sideways_W.allFinite());
-      return Vec3{spring.stiffness_N_per_m * (first * n0 + second * n1) + spring.sideways_W};
+      return Vec3{spring.stiffness_N_per_m * stretch + spring.sideways_W};
     };
     for (double first = 0.05; first < 1.0; first += 0.05) {
       constexpr double kNudge = 1e-5;
@@ -273,9 +291,19 @@ TEST(CornerSpring, IsAtMostAboutTwiceAsStiffAsItsHardestSurface) {
         const double b = u.x() / n1.x();
         const double a = u.y() - b * n1.y();
         EXPECT_LE((a * by_first + b * by_second).dot(u), 2.3 * kHard)
-            << degrees << " degrees, " << first;
+            << degrees << " degrees, " << first << ", lag " << lag;
       }
     }
+  }
+}
+
+TEST(CornerSpring, IsAtMostAboutTwiceAsStiffAsItsHardestSurface) {
+  expect_about_twice_as_stiff(0.0);
+}
+
+TEST(CornerSpring, IsAsStiffWhereFrictionHoldsTheProxyBack) {
+  for (const double lag : {0.3, 0.6, 1.0, 3.0}) {
+    expect_about_twice_as_stiff(lag);
   }
 }
 
