@@ -5,20 +5,23 @@
 
 #include <cstddef>
 
+#include "rendering/profiles/chosen_profile.h"
+
 namespace tactus::firmware {
 
-// The largest size of the Controller of one device with its World, without the scene image. A
-// static_assert in control/controller.cpp checks it.
-inline constexpr std::size_t kMaxControllerBytes = std::size_t{3} << 20;
+// The largest size of the Controller of one device with its World, without the scene image, in the
+// build's profile (rendering/profiles). A static_assert in control/controller.cpp checks it.
+inline constexpr std::size_t kMaxControllerBytes = rendering::kProfile.controller_bytes;
 
-// The most bytes that Controller::save writes for one tool: 64 moving objects, the vertices and
-// nodes of deforming ones, 512 triangles near the tool and 64 proxies of single objects. A test
-// saves such a scene. If a state is larger, save() returns 0.
-inline constexpr std::size_t kMaxCheckpointBytes = std::size_t{512} << 10;
+// The most bytes that Controller::save writes for one tool: as many moving objects, vertices and
+// nodes of deforming ones, triangles near the tool and proxies of single objects as the profile has
+// room for. A test saves such a scene. If a state is larger, save() returns 0.
+inline constexpr std::size_t kMaxCheckpointBytes = rendering::kProfile.checkpoint_bytes;
 
 // The number of ticks in the flight recorder (firmware/linux/flight), a power of two. At least five
-// eighths of them can be replayed: 10 s at 1 kHz, 1.3 s at 8 kHz. Older ticks are overwritten.
-inline constexpr std::size_t kFlightTicks = 16384;
+// eighths of them can be replayed: with 16,384 of them 10 s at 1 kHz, 1.3 s at 8 kHz. Older ticks
+// are overwritten.
+inline constexpr std::size_t kFlightTicks = rendering::kProfile.flight_ticks;
 
 // The largest number of joints of a mechanism. Further joints of a sample are neither read nor
 // recorded, and get no effort.

@@ -1,28 +1,31 @@
 // Every capacity of the rendering part in one place: what it bounds, and what happens beyond it.
-// firmware/limits.h adds the controller's own.
+// The sizes are those of the build's profile (rendering/profiles); all other limits are the same in
+// every profile. firmware/limits.h adds the controller's own.
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
 
+#include "rendering/profiles/chosen_profile.h"
+
 namespace tactus::rendering {
 
 // Objects in a scene. Beyond: World::set_scene refuses.
-inline constexpr std::size_t kMaxObjects = 1024;
+inline constexpr std::size_t kMaxObjects = kProfile.objects;
 
 // Tools in one world, each with its own proxies. Beyond: World::set_scene refuses.
-inline constexpr std::size_t kMaxTools = 10;
+inline constexpr std::size_t kMaxTools = kProfile.tools;
 
 // Objects that move or deform, and objects that the shared proxy does not meet (contact methods
 // other than sphere_proxy and god_object). Beyond: World::set_scene refuses.
-inline constexpr std::size_t kMaxMovers = 64;
-inline constexpr std::size_t kMaxIndependentObjects = 64;
+inline constexpr std::size_t kMaxMovers = kProfile.movers;
+inline constexpr std::size_t kMaxIndependentObjects = kProfile.independent_objects;
 
 // Meshes of a scene that deform, their vertices and their hierarchy nodes. Beyond:
 // World::set_scene refuses.
-inline constexpr std::size_t kMaxDeformables = 8;
-inline constexpr std::size_t kMaxDeformableVertices = 4096;
-inline constexpr std::size_t kMaxDeformableNodes = 6144;
+inline constexpr std::size_t kMaxDeformables = kProfile.deformables;
+inline constexpr std::size_t kMaxDeformableVertices = kProfile.deformable_vertices;
+inline constexpr std::size_t kMaxDeformableNodes = kProfile.deformable_nodes;
 
 // The largest step of a vertex in one tick, m: 2 m/s at 1 kHz. Beyond: it takes several ticks.
 inline constexpr double kMaxVertexStep_m = 2e-3;
@@ -36,19 +39,19 @@ inline constexpr std::size_t kRefitNodes = 1024;
 
 // Objects whose material or contact method is changed while the scene runs. Beyond:
 // World::set_material and World::set_method refuse.
-inline constexpr std::size_t kMaxChangedObjects = 64;
+inline constexpr std::size_t kMaxChangedObjects = kProfile.changed_objects;
 
 // Bodies that move by forces, and fixed objects that they meet. Beyond: World::set_scene refuses.
-inline constexpr std::size_t kMaxBodies = 32;
-inline constexpr std::size_t kMaxObstacles = 64;
+inline constexpr std::size_t kMaxBodies = kProfile.bodies;
+inline constexpr std::size_t kMaxObstacles = kProfile.obstacles;
 
 // Contacts between bodies, each of up to four points. Beyond: the last ones in the order of the
 // bodies' numbers are left out of a tick.
-inline constexpr std::size_t kMaxBodyContacts = 128;
+inline constexpr std::size_t kMaxBodyContacts = kProfile.body_contacts;
 
 // Triangles of one mesh near one body. Beyond: those at the body's corners are met, and what lies
 // under its faces is not.
-inline constexpr std::size_t kMaxNearTriangles = 128;
+inline constexpr std::size_t kMaxNearTriangles = kProfile.near_triangles;
 
 // Places where one body touches one mesh, or one surface of a formula: each of up to four points,
 // with a normal of its own. Beyond: those that are deepest and differ most in their normals stay.
@@ -59,11 +62,14 @@ inline constexpr std::size_t kMaxContactPatches = 4;
 inline constexpr std::size_t kMaxHullVertices = 64;
 
 // Convex parts of one body, and of all bodies of a scene. Beyond: World::set_scene refuses.
-inline constexpr std::size_t kMaxPartsOfBody = 16;
-inline constexpr std::size_t kMaxBodyParts = 128;
+inline constexpr std::size_t kMaxPartsOfBody = kProfile.parts_of_body;
+inline constexpr std::size_t kMaxBodyParts = kProfile.body_parts;
 
 // Effects in a scene. Beyond: World::set_scene refuses.
-inline constexpr std::size_t kMaxEffects = 16;
+inline constexpr std::size_t kMaxEffects = kProfile.effects;
+
+// Objects with tissue in a scene. Beyond: World::set_scene refuses.
+inline constexpr std::size_t kMaxTissues = kProfile.tissues;
 
 // Levels of a bounding-volume hierarchy; sizes every traversal stack. Beyond: baking balances, the
 // image check refuses.
@@ -72,7 +78,7 @@ inline constexpr std::size_t kMaxHierarchyDepth = 64;
 // Candidates: triangles near the tool that are cached from tick to tick (about 370 bytes each).
 // Beyond: the candidate set shrinks, and if even the smallest does not fit, the proxy sweeps
 // straight toward the tool or holds still; kTouchCandidatesOverflow.
-inline constexpr std::size_t kMaxCandidates = 512;
+inline constexpr std::size_t kMaxCandidates = kProfile.candidates;
 
 // Distinct contact planes at one position of the proxy. Beyond: the proxy holds still, unless the
 // straight segment to the tool is free; kTouchPlanesOverflow.

@@ -5,6 +5,9 @@ set(CMAKE_SYSTEM_PROCESSOR cortex-m7)
 set(CMAKE_CXX_COMPILER arm-none-eabi-g++)
 set(CMAKE_TRY_COMPILE_TARGET_TYPE STATIC_LIBRARY)  # there is no start-up code to link a program with
 
+# The sizes of the controller's arrays (rendering/profiles).
+set(TACTUS_PROFILE microcontroller CACHE STRING "The controller and a scene image fit into a few hundred kilobytes")
+
 # nano.specs: newlib for small memories. Statics are built before the first interrupt: they need no guards.
 # -Wno-psabi: notes that GCC 6 passed some structures otherwise; no object here is that old.
 set(CMAKE_CXX_FLAGS_INIT

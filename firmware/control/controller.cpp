@@ -7,7 +7,9 @@
 
 namespace tactus::firmware {
 
-static_assert(sizeof(Controller) <= kMaxControllerBytes);
+static_assert(sizeof(Controller) <= kMaxControllerBytes,
+              "the controller is larger than the profile's controller_bytes (rendering/profiles): "
+              "lower a size of the profile, or raise that bound");
 
 drivers::JointCommand Controller::tick(const drivers::JointSample& sample, Request request) {
   drivers::JointCommand command;

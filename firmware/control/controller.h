@@ -33,6 +33,7 @@ enum class SceneFault : std::uint8_t {
   world,        // World::set_scene refused it
   uncertified,  // a part of it is beyond a device's certificate
   costly,       // its motions and effects take more than half of a tick's budget
+  capacity,     // it exceeds a capacity of the profile
 };
 // Why a scene was not loaded.
 struct SceneRefusal {
@@ -45,6 +46,8 @@ struct SceneRefusal {
   // (rendering/tick_budget.h); set if the fault is `costly`.
   std::size_t standing_units = 0;
   std::size_t budget_units = 0;
+  // The capacity; set if the fault is `capacity`.
+  rendering::ExceededCapacity exceeded;
 };
 
 // The controller of one or several devices with one tool each. A device is meant by its number,
@@ -74,7 +77,8 @@ class Controller {
                                              std::size_t device = 0);
 
   // Loads a scene; the memory behind the objects must outlive it. It has as many tools as there are
-  // devices, whatever `config` says. Refused if a device is in mode `active`, and if a part of it,
+  // devices, whatever `config` says. Refused if it exceeds a capacity of the profile
+  // (rendering/profiles), if a device is in mode `active`, and if a part of it,
   // or parts that push together or with a wall of the workspace, are stiffer than a device's
   // certificate allows, unless `allow_uncertified`. Refused, too, if its motions and effects leave
   // less than half of a tick's budget to the contacts. The world then keeps its scene. If the world

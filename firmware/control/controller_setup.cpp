@@ -68,6 +68,10 @@ std::expected<void, SceneRefusal> Controller::load_scene(std::span<const renderi
                                                          const rendering::WorldConfig& config) {
   rendering::WorldConfig world = config;
   world.tool_count = device_count();
+  if (const auto exceeded =
+          rendering::first_exceeded(rendering::scene_counts(objects, world), rendering::kProfile)) {
+    return std::unexpected(SceneRefusal{.fault = SceneFault::capacity, .exceeded = *exceeded});
+  }
   for (std::size_t i = 0; i < device_count(); ++i) {
     if (at(i).mode() == Mode::active) {
       return std::unexpected(SceneRefusal{.fault = SceneFault::active});

@@ -11,8 +11,8 @@ namespace {
 
 using rendering::StateArchive;
 
-// The bytes "TACTUS06" with which a state begins. A change of the format gets another last digit.
-constexpr std::uint64_t kMagic = 0x3630'5355'5443'4154U;
+// The bytes "TACTUS07" with which a state begins. A change of the format gets another last digit.
+constexpr std::uint64_t kMagic = 0x3730'5355'5443'4154U;
 
 }  // namespace
 

@@ -157,10 +157,12 @@ std::string_view refusal_words(const SceneRefusal& refusal, const PartNames& nam
           "lower the rate or raise tick_instructions in the device's [controller]",
           rendering::instructions_of(refusal.standing_units),
           rendering::instructions_of(refusal.budget_units));
+    case SceneFault::capacity:
+      return rendering::exceeded_words(refusal.exceeded, room);
     case SceneFault::world:
       break;
   }
-  return write_words(room, "the controller has no room for this scene");
+  return write_words(room, "the controller cannot use this scene; bake it again with this version");
 }
 
 }  // namespace tactus::firmware

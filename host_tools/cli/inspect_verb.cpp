@@ -19,9 +19,12 @@
 #include "host_tools/cli/inspect_graph.h"
 #include "host_tools/cli/inspect_holes.h"
 #include "host_tools/cli/inspect_parts.h"
+#include "host_tools/cli/inspect_profiles.h"
 #include "host_tools/cli/picture_option.h"
 #include "host_tools/files/output_place.h"
 #include "host_tools/units.h"
+#include "rendering/profiles/chosen_profile.h"
+#include "rendering/scene/scene_world.h"
 
 namespace tactus::host {
 namespace {
@@ -32,12 +35,16 @@ using rendering::SceneImage;
 constexpr const char* kInspectExamples =
     "An image that opens has passed every check: checksum, structure, index ranges, hierarchy.\n"
     "\n"
+    "The controller has room for a scene in the profiles that are listed with yes; a build chooses "
+    "one with TACTUS_PROFILE.\n"
+    "\n"
     "A hole is a loop of open edges; its size is the diameter of a ball that holds it.\n"
     "\n"
     "Examples:\n"
     "  tactus inspect scene.tactus\n"
     "  tactus inspect scene.tactus --picture holes.png     marks the holes of its meshes\n"
     "  tactus inspect scene.tactus --json | jq '.objects[] | {name, triangles}'\n"
+    "  tactus inspect scene.tactus --json | jq '.profiles[] | select(.fits).name'\n"
     "  tactus inspect --graph stone.off                    the connection graph of a mesh, by "
     "type\n"
     "  tactus inspect --graph scene.tactus --picture g.png the graph drawn over the meshes\n"
@@ -155,14 +162,16 @@ nlohmann::ordered_json to_json(const ObjectSummary& s) {
 }
 
 void print_json(const InspectOptions& options, const MappedScene& scene) {
-  nlohmann::ordered_json json{{"image", options.image},
-                              {"version", scene.image().version()},
-                              {"checksum", fmt::format("{:016x}", scene.image().checksum())},
-                              {"bytes", scene.bytes().size()},
-                              {"tool_radius_m", scene.image().tool_radius_m()},
-                              {"tool_count", scene.image().tool_count()},
-                              {"effects", scene.image().effects().size()},
-                              {"objects", nlohmann::ordered_json::array()}};
+  nlohmann::ordered_json json{
+      {"image", options.image},
+      {"version", scene.image().version()},
+      {"checksum", fmt::format("{:016x}", scene.image().checksum())},
+      {"bytes", scene.bytes().size()},
+      {"tool_radius_m", scene.image().tool_radius_m()},
+      {"tool_count", scene.image().tool_count()},
+      {"effects", scene.image().effects().size()},
+      {"profiles", json_of_profiles(rendering::scene_counts(scene.image()), rendering::kProfiles)},
+      {"objects", nlohmann::ordered_json::array()}};
   for (std::size_t i = 0; i < scene.image().objects().size(); ++i) {
     json["objects"].push_back(to_json(summarise(scene.image(), i)));
   }
@@ -257,6 +266,7 @@ void print_text(const InspectOptions& options, const MappedScene& scene) {
   for (std::size_t i = 0; i < scene.image().objects().size(); ++i) {
     print_object(summarise(scene.image(), i));
   }
+  print_profiles(rendering::scene_counts(scene.image()), rendering::kProfiles);
 }
 
 void run(const InspectOptions& options) {

@@ -1,6 +1,7 @@
 #include "host_tools/replay/recorded_run.h"
 
 #include <algorithm>
+#include <array>
 #include <cstdlib>
 #include <fstream>
 #include <iomanip>
@@ -108,7 +109,8 @@ RecordedRun::Scene RecordedRun::open(Image image, const std::string& name) {
   }
   auto opened = rendering::SceneImage::open(scene.image.bytes());
   if (!opened) {
-    throw InputError(name + ": " + std::string(rendering::describe(opened.error().fault)));
+    std::array<char, 256> room{};
+    throw InputError(name + ": " + std::string(rendering::describe(opened.error(), room)));
   }
   scene.scene = std::make_unique<rendering::SceneImage>(*opened);
   return scene;

@@ -122,10 +122,15 @@ bool LeftOut::take_back(const SceneObjects& scene, const ContactMargins& margins
   return taken;
 }
 
-void LeftOut::transfer(StateArchive& archive) {
-  archive(bits_);
+void LeftOut::transfer(StateArchive& archive, std::size_t objects) {
   if (archive.is_reading()) {
+    bits_.fill(0);
     count_ = 0;
+  }
+  for (std::uint64_t& bits : std::span(bits_).first((objects + kBits - 1) / kBits)) {
+    archive(bits);
+  }
+  if (archive.is_reading()) {
     for (const std::uint64_t bits : bits_) {
       count_ += static_cast<std::uint32_t>(std::popcount(bits));
     }

@@ -38,13 +38,14 @@ class LeftOut {
   // kMaxCarryBudget; untested objects stay. Returns true if one was removed.
   bool take_back(const SceneObjects& scene, const ContactMargins& margins, const Vec3& p_W);
 
-  // Saves the state to the archive, or restores it.
-  void transfer(StateArchive& archive);
+  // Saves the state of a scene with so many objects to the archive, or restores it. The bytes do
+  // not depend on kMaxObjects.
+  void transfer(StateArchive& archive, std::size_t objects);
 
  private:
   static constexpr std::size_t kBits = 64;
   // A bit for each object, and the number of the set ones.
-  std::array<std::uint64_t, kMaxObjects / kBits> bits_{};
+  std::array<std::uint64_t, (kMaxObjects + kBits - 1) / kBits> bits_{};
   std::uint32_t count_ = 0;
 };
 

@@ -75,9 +75,6 @@ NeedleImpedance largest_impedance(const NeedleScene& scene);
 // A tip or a shaft that is slower than this is at rest, m/s (Karnopp's band).
 inline constexpr double kNeedleRest_m_per_s = 5e-4;
 
-// The layers of one scene. Beyond: World::set_scene refuses.
-inline constexpr std::size_t kMaxTissues = 16;
-
 // Numbers that a layer may have; the largest of each kind.
 inline constexpr double kMostNeedleForce_N = 1e3;
 inline constexpr double kMostNeedleStiffness = 1e9;

@@ -94,7 +94,7 @@ inline Vec3 direction_from(const Mover* mover, const Vec3& d_O) {
 class Movers {
  public:
   // Starts with those of `objects` that move or deform, each at X_WO = identity. The objects must
-  // stay alive and unchanged. Returns false if they exceed the capacities (SceneCapacityNeeds).
+  // stay alive and unchanged. Returns false if they exceed the capacities (ObjectNeeds).
   bool start(std::span<const Object> objects);
 
   // Set the pose or a vertex from the next tick on, and end the object's own motion. They refuse as

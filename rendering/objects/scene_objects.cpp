@@ -7,33 +7,40 @@
 
 namespace tactus::rendering {
 
-void SceneCapacityNeeds::add(const Object& object) {
-  movers += is_mover(object) ? 1U : 0U;
-  independent += is_independent(object) ? 1U : 0U;
-  motion_units += is_mover(object) ? kCostOfMover : 0U;
+void ObjectNeeds::add(const Object& object) {
+  ++counts_.objects;
+  counts_.movers += is_mover(object) ? 1U : 0U;
+  counts_.independent_objects += is_independent(object) ? 1U : 0U;
+  counts_.bodies += is_body(object) ? 1U : 0U;
+  solids_ += !is_body(object) && !object.deforms ? 1U : 0U;
+  motion_units_ += is_mover(object) ? kCostOfMover : 0U;
   if (object.deforms) {
-    motion_units += std::min(kWaveVertices, object.mesh.vertices.size()) / kVertexWavesPerUnit +
-                    object.mesh.vertices.size() / kVertexStepsPerUnit +
-                    object.mesh.vertices.size() / kVertexLongStepsPerUnit +
-                    std::min(kRefitNodes, object.mesh.nodes.size()) / kRefitsPerUnit;
-    ++deformables;
-    deformable_vertices += object.mesh.vertices.size();
-    deformable_nodes += object.mesh.nodes.size();
+    motion_units_ += std::min(kWaveVertices, object.mesh.vertices.size()) / kVertexWavesPerUnit +
+                     object.mesh.vertices.size() / kVertexStepsPerUnit +
+                     object.mesh.vertices.size() / kVertexLongStepsPerUnit +
+                     std::min(kRefitNodes, object.mesh.nodes.size()) / kRefitsPerUnit;
+    ++counts_.deformables;
+    counts_.deformable_vertices += object.mesh.vertices.size();
+    counts_.deformable_nodes += object.mesh.nodes.size();
   }
 }
 
-bool SceneCapacityNeeds::fit() const {
-  return movers <= kMaxMovers && independent <= kMaxIndependentObjects &&
-         deformables <= kMaxDeformables && deformable_vertices <= kMaxDeformableVertices &&
-         deformable_nodes <= kMaxDeformableNodes;
+SceneCounts ObjectNeeds::counts() const {
+  SceneCounts counts = counts_;
+  counts.obstacles = counts_.bodies > 0 ? solids_ : 0;
+  return counts;
+}
+
+ObjectNeeds needs_of(std::span<const Object> objects) {
+  ObjectNeeds needs;
+  std::ranges::for_each(objects, [&](const Object& object) { needs.add(object); });
+  return needs;
 }
 
 // A scene that is refused leaves the same state as an empty one.
 bool SceneObjects::set(std::span<const Object> objects) {
-  SceneCapacityNeeds needs;
-  std::ranges::for_each(objects, [&](const Object& object) { needs.add(object); });
   const bool fit =
-      objects.size() <= kMaxObjects && needs.fit() && std::ranges::all_of(objects, usable);
+      !first_exceeded(needs_of(objects).counts(), kProfile) && std::ranges::all_of(objects, usable);
   objects_ = fit ? objects : std::span<const Object>{};
   const bool good = movers_.start(objects_) && fit;
   if (!good) {

@@ -15,6 +15,7 @@
 #include "rendering/objects/movers.h"
 #include "rendering/objects/object.h"
 #include "rendering/objects/still_hierarchy.h"
+#include "rendering/profiles/scene_capacity.h"
 #include "rendering/state_archive.h"
 #include "rendering/surface/primitive.h"
 
@@ -26,35 +27,34 @@ struct PlacedMesh {
   double slack_m = 0.0;
 };
 
-// The share of the fixed capacities that some objects need.
-struct SceneCapacityNeeds {
-  // The objects that move or deform.
-  std::size_t movers = 0;
-  // The objects that the shared proxy does not meet.
-  std::size_t independent = 0;
-  // The objects that deform, their vertices and the nodes of their hierarchies.
-  std::size_t deformables = 0;
-  std::size_t deformable_vertices = 0;
-  std::size_t deformable_nodes = 0;
-
-  // The most cost units (tick_budget.h) that moving the objects takes in one tick.
-  std::size_t motion_units = 0;
-
+// The capacities that some objects need, and the time.
+class ObjectNeeds {
+ public:
   // Adds the needs of one object.
   void add(const Object& object);
-  // Returns true if the needs are within kMaxMovers, kMaxIndependentObjects, kMaxDeformables,
-  // kMaxDeformableVertices and kMaxDeformableNodes.
-  [[nodiscard]] bool fit() const;
+
+  // Returns the counts of objects of all kinds; all others are 0.
+  [[nodiscard]] SceneCounts counts() const;
+  // Returns the most cost units (tick_budget.h) that moving the objects takes in one tick.
+  [[nodiscard]] std::size_t motion_units() const { return motion_units_; }
+
+ private:
+  SceneCounts counts_;
+  // The objects that bodies meet, if there are bodies.
+  std::size_t solids_ = 0;
+  std::size_t motion_units_ = 0;
 };
+
+// Returns the needs of the objects.
+ObjectNeeds needs_of(std::span<const Object> objects);
 
 // Lives in static storage; no heap. One thread owns it. Object numbers are indices of the span that
 // set() was given.
 class SceneObjects {
  public:
   // Sets the objects, each at X_WO = identity; the views must stay alive and unchanged. Returns
-  // false, and leaves no objects, if there are more than kMaxObjects, more than kMaxMovers that
-  // move or deform, more than kMaxIndependentObjects that the shared proxy does not meet, more that
-  // deform than fit, or one that is not usable().
+  // false, and leaves no objects, if they exceed a capacity (rendering/profiles/scene_capacity.h),
+  // or one is not usable().
   bool set(std::span<const Object> objects);
 
   // Sets the pose and velocity of object `number` from the next tick on. Returns false, and changes

@@ -1,6 +1,5 @@
-// Takes what the objects of an image refer to: bodies with their parts, and tissues.
-#include <algorithm>
-
+// Takes what the objects of an image refer to: bodies with their parts, and tissues. There is room
+// for them: take() has checked stored_counts() before.
 #include "rendering/scene/body_reader.h"
 #include "rendering/scene/needle_reader.h"
 #include "rendering/scene/scene_generated.h"
@@ -11,9 +10,6 @@ namespace tactus::rendering {
 std::expected<void, SceneError> SceneImage::take_body(const image::Body* stored, Object& object) {
   if (stored == nullptr) {
     return {};
-  }
-  if (body_count_ == kMaxBodies) {
-    return fail(SceneFault::body_count, kMaxBodies + 1);
   }
   std::expected<ObjectBody, SceneError> body = read_body(*stored, object);
   if (!body) {
@@ -29,10 +25,6 @@ std::expected<void, SceneError> SceneImage::take_body(const image::Body* stored,
 
 std::expected<void, SceneError> SceneImage::take_body_parts(const image::Body& stored,
                                                             ObjectBody& body) {
-  const std::size_t room = std::min(kMaxPartsOfBody, kMaxBodyParts - body_part_count_);
-  if (body.part_count > room) {
-    return fail(SceneFault::body_part_count, body.part_count);
-  }
   body.first_part = static_cast<std::uint32_t>(body_part_count_);
   for (std::uint32_t i = 0; i < body.part_count; ++i) {
     const std::expected<BodyPart, SceneError> part = read_body_part(*stored.parts()->Get(i));
@@ -50,9 +42,6 @@ std::expected<void, SceneError> SceneImage::take_tissue(const image::Tissue* sto
                                                         Object& object) {
   if (stored == nullptr) {
     return {};
-  }
-  if (tissue_count_ == kMaxTissues) {
-    return fail(SceneFault::tissue_count, kMaxTissues + 1);
   }
   const std::expected<Tissue, SceneError> tissue = read_tissue(*stored, needle_, object);
   if (!tissue) {

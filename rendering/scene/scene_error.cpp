@@ -23,7 +23,7 @@ constexpr std::array kTexts{
     Text{"bytes follow after the image's end; copy it again or bake the scene again", "byte"},
     Text{"checksum does not match, bits have changed; copy it again or bake the scene again", ""},
     Text{"payload is malformed; bake the scene again", ""},
-    Text{"number of objects is outside of 1 to 1024; split the scene", "count"},
+    Text{"there are no objects; bake the scene again", ""},
     Text{"tool radius is negative or not finite; bake the scene again", ""},
     Text{"unknown value of sides; bake the scene again", "value"},
     Text{"unknown friction model; update the program", "model"},
@@ -46,35 +46,28 @@ constexpr std::array kTexts{
     Text{"formula cannot be carried out; bake the scene again", "instruction"},
     Text{"unknown contact method, or one that does not go with the surface; bake the scene again",
          "method"},
-    Text{"number of tools is outside of 1 to 10; bake the scene again", "count"},
+    Text{"there are no tools; bake the scene again", ""},
     Text{"corner normals are not as many as triangles; bake the scene again", "count"},
     Text{"texture coordinates are not as many as triangles, or out of range; bake the scene again",
          "triangle"},
     Text{"texture has a size or a number that is out of range; bake the scene again", "texture"},
-    Text{"more than 16 effects; leave some out", "count"},
     Text{"effect has an unknown law or a number out of range; bake the scene again", "effect"},
     Text{"motion has a number out of range, or its object does not move; bake the scene again", ""},
-    Text{
-        "more objects move, deform or are touched apart from the proxy than there is room for; let "
-        "some stand still",
-        "count"},
+    Text{"the scene is larger than this program has room for; leave something out", ""},
     Text{"effect has a law that this program does not know; update the program", "effect"},
     Text{"body has a mass, a hull or a number that is out of range, or its object cannot be one; "
          "bake the scene again",
          ""},
-    Text{"more than 32 bodies; leave some out", "count"},
     Text{"needle has a number that is out of range; bake the scene again", ""},
     Text{
         "tissue has a number that is out of range, or its object cannot be pierced; bake the scene "
         "again",
         ""},
-    Text{"more than 16 objects with tissue; leave some out", "count"},
     Text{"part of a body is neither a convex primitive nor a hull that can be used; bake the scene "
          "again",
          "part"},
-    Text{"more than 16 parts of a body, or 128 of all bodies; leave some out", "count"},
 };
-static_assert(kTexts.size() == static_cast<std::size_t>(SceneFault::body_part_count) + 1);
+static_assert(kTexts.size() == static_cast<std::size_t>(SceneFault::body_part) + 1);
 
 const Text& text_of(SceneFault fault) {
   return kTexts[static_cast<std::size_t>(fault)];
@@ -91,6 +84,11 @@ FaultName::FaultName(std::string_view text) {
 
 std::string_view describe(SceneFault fault) {
   return text_of(fault).description;
+}
+
+std::string_view describe(const SceneError& error, std::span<char> room) {
+  return error.fault == SceneFault::capacity ? exceeded_words(error.exceeded, room)
+                                             : describe(error.fault);
 }
 
 std::string_view place_noun(SceneFault fault) {

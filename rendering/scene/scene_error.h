@@ -5,9 +5,11 @@
 #include <array>
 #include <cstdint>
 #include <expected>
+#include <span>
 #include <string_view>
 
 #include "rendering/objects/object.h"
+#include "rendering/profiles/scene_capacity.h"
 
 namespace tactus::rendering {
 
@@ -22,7 +24,7 @@ enum class SceneFault : std::uint8_t {
   trailing_bytes,     // place: byte where the image should end
   checksum_mismatch,  // a bit has changed somewhere
   malformed,          // the FlatBuffers verifier refused the payload
-  object_count,       // none, or more than kMaxObjects; place: number found
+  object_count,       // none
   tool_radius,        // negative, above kMaxToolRadius_m or not a number
   sides,              // neither one nor two; place: value found
   friction_model,     // not one that this controller knows; place: number found
@@ -40,22 +42,18 @@ enum class SceneFault : std::uint8_t {
   shape,              // a primitive or implicit surface with a number out of range
   formula,            // instructions that must not be carried out; place: instruction
   method,             // unknown, or one that does not go with the surface; place: value found
-  tool_count,         // none, or more than kMaxTools; place: number found
+  tool_count,         // none
   corner_normals,     // not one a triangle; place: number found
   corner_places,      // not one a triangle, or not finite or out of range; place: triangle
   texture,            // sizes, bytes or numbers out of range, or a second of its kind; place: layer
-  effect_count,       // more than kMaxEffects; place: number found
   effect,             // unknown law, or a number out of range; place: effect
   motion,             // a number out of range, or of an object that does not move
-  capacity,           // see SceneObjects::set; place: objects that move or are touched alone
+  capacity,           // one of the profile is exceeded: see SceneError::exceeded
   effect_law,         // a law that this controller does not have; place: effect
   body,               // a mass, hull or number out of range, or an object that cannot be one
-  body_count,         // more than kMaxBodies; place: number found
   needle,             // a number of the needle out of range
   tissue,             // a number out of range, or of an object that cannot be pierced
-  tissue_count,       // more than kMaxTissues; place: number found
   body_part,          // neither a convex primitive nor a sound hull; place: part
-  body_part_count,    // more than kMaxPartsOfBody or kMaxBodyParts; place: number found
 };
 
 // A name from an image, for a message: the first 31 characters, with ? for those that are not
@@ -81,15 +79,24 @@ struct SceneError {
   std::uint64_t place = 0;
   // The name of an unknown effect law; empty for every other fault.
   FaultName name;
+  // The capacity that the scene exceeds; set if the fault is `capacity`.
+  ExceededCapacity exceeded;
 };
 
 // Returns the error of that fault at that place, as the result of a function that found it.
 inline std::unexpected<SceneError> fail(SceneFault fault, std::uint64_t place = 0) {
   return std::unexpected(SceneError{.fault = fault, .place = place});
 }
+// Returns the error of a scene that exceeds a capacity.
+inline std::unexpected<SceneError> fail(const ExceededCapacity& exceeded) {
+  return std::unexpected(SceneError{.fault = SceneFault::capacity, .exceeded = exceeded});
+}
 
 // Returns the fault and its remedy as text, without the place.
 std::string_view describe(SceneFault fault);
+// Returns the same, for a capacity with its name and both numbers. That text is written into `room`
+// and cut at its end; 256 bytes are enough.
+std::string_view describe(const SceneError& error, std::span<char> room);
 
 // Returns the noun that SceneError::place counts, such as "byte" or "vertex"; empty if the fault
 // has no place.

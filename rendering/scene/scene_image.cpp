@@ -4,14 +4,15 @@
 #include <cmath>
 #include <utility>
 
-#include "rendering/objects/scene_objects.h"
 #include "rendering/scene/body_reader.h"
 #include "rendering/scene/effect_reader.h"
 #include "rendering/scene/image_format.h"
 #include "rendering/scene/needle_reader.h"
 #include "rendering/scene/scene_generated.h"
+#include "rendering/scene/scene_world.h"
 #include "rendering/scene/shape_reader.h"
 #include "rendering/scene/stored.h"
+#include "rendering/scene/stored_counts.h"
 
 namespace tactus::rendering {
 namespace {
@@ -167,17 +168,20 @@ std::expected<SceneImage, SceneError> SceneImage::open(std::span<const std::byte
   return result;
 }
 
-// Takes the scene: radius and number of tools, effects, objects, and at last the capacities that
-// all objects need together.
+// Takes the scene: radius and number of tools, effects, objects. Before that it checks the
+// capacities that have an array here, and afterwards all of them.
 Result SceneImage::take(const image::Scene& scene) {
   scene_ = &scene;
+  if (const auto exceeded = first_exceeded(stored_counts(scene), kProfile)) {
+    return fail(*exceeded);
+  }
   tool_radius_m_ = scene.tool_radius();
   if (!is_tool_radius(tool_radius_m_)) {
     return fail(SceneFault::tool_radius);
   }
   tool_count_ = scene.tool_count();
-  if (tool_count_ == 0 || tool_count_ > kMaxTools) {
-    return fail(SceneFault::tool_count, tool_count_);
+  if (tool_count_ == 0) {
+    return fail(SceneFault::tool_count);
   }
   if (const Result effects = take_effects(scene); !effects) {
     return effects;
@@ -191,8 +195,8 @@ Result SceneImage::take(const image::Scene& scene) {
   }
   needle_ = *needle;
   object_count_ = scene.objects()->size();
-  if (object_count_ == 0 || object_count_ > kMaxObjects) {
-    return fail(SceneFault::object_count, object_count_);
+  if (object_count_ == 0) {
+    return fail(SceneFault::object_count);
   }
   for (std::uint32_t i = 0; i < object_count_; ++i) {
     if (Result taken = take_object(*scene.objects()->Get(i), i); !taken) {
@@ -200,19 +204,14 @@ Result SceneImage::take(const image::Scene& scene) {
       return taken;
     }
   }
-  SceneCapacityNeeds needs;
-  std::ranges::for_each(objects(), [&](const Object& object) { needs.add(object); });
-  if (!needs.fit()) {
-    return fail(SceneFault::capacity, std::max(needs.movers, needs.independent));
+  if (const auto exceeded = first_exceeded(scene_counts(*this), kProfile)) {
+    return fail(*exceeded);
   }
   return {};
 }
 
 Result SceneImage::take_effects(const image::Scene& scene) {
   effect_count_ = scene.effects() == nullptr ? 0 : scene.effects()->size();
-  if (effect_count_ > kMaxEffects) {
-    return fail(SceneFault::effect_count, effect_count_);
-  }
   for (std::uint32_t i = 0; i < effect_count_; ++i) {
     const std::expected<Effect, SceneError> effect = read_effect(*scene.effects()->Get(i));
     if (!effect) {

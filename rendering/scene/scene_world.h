@@ -1,4 +1,5 @@
-// Makes the world's configuration, for one tool as in a controller, from a scene.
+// Makes the world's configuration, for one tool as in a controller, from a scene, and counts what
+// the scene has.
 #pragma once
 
 #include "rendering/scene/scene_image.h"
@@ -16,6 +17,13 @@ inline WorldConfig world_of(const SceneImage& scene) {
           .soft_finger_modulus_Pa = scene.soft_finger_modulus_Pa(),
           .sleep_after_s = scene.sleep_after_s(),
           .needle = scene.needle()};
+}
+
+// Returns what the scene has of each size of a profile.
+inline SceneCounts scene_counts(const SceneImage& scene) {
+  WorldConfig config = world_of(scene);
+  config.tool_count = scene.tool_count();
+  return scene_counts(scene.objects(), config);
 }
 
 }  // namespace tactus::rendering

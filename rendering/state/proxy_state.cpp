@@ -69,7 +69,7 @@ void CandidateSet::transfer(StateArchive& archive, const SceneObjects& scene,
                           reach, slots] = *this;
   [[maybe_unused]] auto& [p, number, first_of_tick, waited] = place;
   auto& [trust, plan] = trusted;
-  archive(left_out);
+  left_out.transfer(archive, scene.size());
   archive(p, trust, plan, number, first_of_tick, progress.tested, counts.peak, counts.gatherings);
   archive.require(number > 0);
   archive.up_to(size, kMaxCandidates);

@@ -40,18 +40,29 @@ struct ManyWatched {
 }  // namespace
 
 std::size_t standing_units(std::span<const Object> objects, const WorldConfig& config) {
-  SceneCapacityNeeds needs;
-  std::ranges::for_each(objects, [&](const Object& object) { needs.add(object); });
-  return needs.motion_units + effect_units(config.effects.size(), config.tool_count);
+  return needs_of(objects).motion_units() + effect_units(config.effects.size(), config.tool_count);
+}
+
+SceneCounts scene_counts(std::span<const Object> objects, const WorldConfig& config) {
+  SceneCounts counts = needs_of(objects).counts();
+  counts.tools = config.tool_count;
+  for (const ObjectBody& body : config.bodies) {
+    counts.parts_of_body = std::max<std::size_t>(counts.parts_of_body, body.part_count);
+  }
+  counts.body_parts = config.body_parts.size();
+  counts.effects = config.effects.size();
+  counts.tissues = config.needle.tissues.size();
+  return counts;
 }
 
 // All tools start again, also after a refusal: the world is then empty and gives no force.
 bool World::set_scene(std::span<const Object> objects, const WorldConfig& config) {
   const bool good_config =
+      !first_exceeded(scene_counts(objects, config), kProfile) &&
       is_tool_radius(config.tool_radius_m) && config.tool_count >= 1 &&
-      config.tool_count <= tool_capacity() && config.effects.size() <= kMaxEffects &&
-      config.gravity_W.allFinite() && is_finger_modulus(config.soft_finger_modulus_Pa) &&
-      is_sleep_time(config.sleep_after_s) && valid(config.needle, objects) &&
+      config.tool_count <= tool_capacity() && config.gravity_W.allFinite() &&
+      is_finger_modulus(config.soft_finger_modulus_Pa) && is_sleep_time(config.sleep_after_s) &&
+      valid(config.needle, objects) &&
       std::ranges::all_of(config.effects, [](const Effect& effect) { return valid(effect); });
   bool good = scene_.set(good_config ? objects : std::span<const Object>{}) && good_config;
   if (!bodies_.set(scene_, config.bodies, config.body_parts, laws_of(config))) {

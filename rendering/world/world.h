@@ -12,6 +12,7 @@
 #include "rendering/objects/object.h"
 #include "rendering/objects/object_body.h"
 #include "rendering/objects/scene_objects.h"
+#include "rendering/profiles/scene_capacity.h"
 #include "rendering/state_archive.h"
 #include "rendering/tick_budget.h"
 #include "rendering/touch.h"
@@ -52,14 +53,17 @@ struct WorldConfig {
 // objects that move or deform, and on the effects. They cannot be cut.
 std::size_t standing_units(std::span<const Object> objects, const WorldConfig& config);
 
+// Returns what the scene has of each size of a profile.
+SceneCounts scene_counts(std::span<const Object> objects, const WorldConfig& config);
+
 // The state of one tool in a world: its contacts, and what the effects remember of it.
 struct ToolSlot {
   ToolTouch touch;
   EffectTouch effects;
 };
 
-// Lives in static storage: fixed arrays of about three megabytes, no heap. Not thread-safe; one
-// thread owns it.
+// Lives in static storage: fixed arrays of the profile's sizes (rendering/profiles), no heap. Not
+// thread-safe; one thread owns it.
 class World {
  public:
   // Has room for one tool.
@@ -70,7 +74,9 @@ class World {
       : more_tools_(more_tools.first(std::min(more_tools.size(), kMaxTools - 1))) {}
 
   // Sets a scene and starts over; the views must stay alive and unchanged. Returns false, and
-  // leaves an empty world, if a number of `config` is out of range or SceneObjects::set refuses.
+  // leaves an empty world, if scene_counts() exceed a capacity of kProfile
+  // (rendering/profiles/scene_capacity.h) or the world's room for tools, a number of `config` is
+  // out of range, or SceneObjects::set or WorldBodies::set refuses.
   bool set_scene(std::span<const Object> objects, const WorldConfig& config);
 
   // Sets the time from tick to tick, for effects and motions; 1 ms by default. The budget of a tick

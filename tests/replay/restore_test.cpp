@@ -164,7 +164,8 @@ TEST(Restore, GoesOnAlikeByTheTextbooksMethods) {
 }
 
 TEST(Restore, HasRoomForTheLargestScene) {
-  const Solid sheet(flat_sheet(0.002, 62), Sides::two, kRough);
+  const auto side = static_cast<int>(std::sqrt(rendering::kMaxDeformableVertices));
+  const Solid sheet(flat_sheet(0.002, side - 2), Sides::two, kRough);
   ASSERT_GT(sheet.object().mesh.vertices.size(), rendering::kMaxDeformableVertices * 9 / 10);
   Object ball{
       .surface = rendering::SurfaceKind::primitive,

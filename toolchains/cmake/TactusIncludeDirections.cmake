@@ -41,7 +41,7 @@ foreach(room IN ITEMS commissioning configuration control device_file kinematics
 endforeach()
 
 # The rooms of rendering/, the lowest first: none includes one that follows it.
-set(higher_rooms geometry surface friction material effects objects contact bodies needle world state scene)
+set(higher_rooms profiles geometry surface friction material effects objects contact bodies needle world state scene)
 while(higher_rooms)
   list(POP_FRONT higher_rooms room)
   if(higher_rooms)

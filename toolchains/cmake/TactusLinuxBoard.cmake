@@ -19,6 +19,9 @@ set(CMAKE_CXX_COMPILER ${TACTUS_TRIPLET}-g++)
 set(CMAKE_LIBRARY_ARCHITECTURE ${TACTUS_TRIPLET})
 set(CMAKE_CROSSCOMPILING_EMULATOR "${TACTUS_EMULATOR};-L;${CMAKE_SYSROOT}")
 
+# The sizes of the controller's arrays (rendering/profiles).
+set(TACTUS_PROFILE board CACHE STRING "A scene that fits gives the same bits as on a desktop")
+
 # Programs, such as flatc, are this machine's; all else is the sysroot's.
 set(CMAKE_FIND_ROOT_PATH "${CMAKE_SYSROOT}")
 set(CMAKE_FIND_ROOT_PATH_MODE_PROGRAM NEVER)

@@ -31,7 +31,7 @@ std::expected<const rendering::SceneImage*, SceneStoreError> SceneStore::open_ne
   const auto image = rendering::SceneImage::open(place.file.bytes());
   if (!image) {
     place.clear();
-    return std::unexpected(SceneStoreError{.what = rendering::describe(image.error().fault)});
+    return std::unexpected(SceneStoreError{.what = rendering::describe(image.error(), words_)});
   }
   return &place.image.emplace(*image);
 }

@@ -21,7 +21,7 @@ namespace tactus::firmware {
 
 // Why a file was not taken.
 struct SceneStoreError {
-  // The text for the user.
+  // The text for the user; it is valid until the next open_next.
   std::string_view what;
   // The errno of the call that failed; 0: the file was read, and refused.
   int errno_value = 0;
@@ -86,6 +86,8 @@ class SceneStore {
   // The index of the scene in use; the other place is for the next one.
   std::size_t used_ = 0;
   std::size_t room_bytes_ = kMaxScene_bytes;
+  // The text of a refused scene.
+  std::array<char, 256> words_{};
 };
 
 }  // namespace tactus::firmware

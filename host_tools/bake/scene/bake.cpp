@@ -196,18 +196,11 @@ rendering::Object counted(rendering::ContactMethod method, const MotionDescripti
   return object;
 }
 
-// Throws InputError if the scene needs more than the controller's fixed memory.
-void require_room(const rendering::SceneCapacityNeeds& needs, const std::string& file) {
-  if (!needs.fit()) {
-    throw InputError(fmt::format(
-        "{}: {} objects move or deform, where {} fit; {} have a contact other than sphere_proxy "
-        "and "
-        "god_object, where {} fit; the {} that deform have {} vertices and {} boxes, where {} with "
-        "{} and {} fit; let some stand still, or simplify the meshes that deform",
-        file, needs.movers, rendering::kMaxMovers, needs.independent,
-        rendering::kMaxIndependentObjects, needs.deformables, needs.deformable_vertices,
-        needs.deformable_nodes, rendering::kMaxDeformables, rendering::kMaxDeformableVertices,
-        rendering::kMaxDeformableNodes));
+// Throws InputError if the objects exceed a capacity of the controller.
+void require_room(const rendering::ObjectNeeds& needs, const std::string& file) {
+  if (const auto exceeded = rendering::first_exceeded(needs.counts(), rendering::kProfile)) {
+    std::array<char, 256> room{};
+    throw InputError(fmt::format("{}: {}", file, rendering::exceeded_words(*exceeded, room)));
   }
 }
 
@@ -245,7 +238,7 @@ BakedImage bake_scene(const SceneDescription& description, const Progress& progr
                    .needle = description.needle};
   // Counted twice: first without the sizes of meshes, so that a scene with too many objects is
   // refused before minutes of baking, then with them.
-  rendering::SceneCapacityNeeds needs;
+  rendering::ObjectNeeds needs;
   for (const ObjectDescription& object : description.objects) {
     if (!object.mesh.empty()) {
       require_mesh_file(object, description.file);

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <system_error>
 
 #include "host_tools/input_error.h"
@@ -53,7 +54,8 @@ std::string explain(const rendering::SceneError& error) {
   if (const std::string_view name = error.name.text(); !name.empty()) {
     text += fmt::format("\"{}\": ", name);
   }
-  return text + std::string(rendering::describe(error.fault));
+  std::array<char, 256> room{};
+  return text + std::string(rendering::describe(error, room));
 }
 
 }  // namespace tactus::host

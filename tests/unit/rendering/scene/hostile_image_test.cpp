@@ -124,13 +124,14 @@ TEST(HostileImage, WithABadToolRadiusIsRefused) {
 }
 
 TEST(HostileImage, WithABadToolCountIsRefused) {
-  for (const std::size_t bad : {std::size_t{0}, kMaxTools + 1}) {
-    host::BakedScene scene = testing::small_scene();
-    scene.tool_count = bad;
-    const SceneError error = error_of(scene);
-    EXPECT_EQ(error.fault, SceneFault::tool_count);
-    EXPECT_EQ(error.place, bad);
-  }
+  host::BakedScene scene = testing::small_scene();
+  scene.tool_count = 0;
+  EXPECT_EQ(error_of(scene).fault, SceneFault::tool_count);
+  scene.tool_count = kMaxTools + 1;
+  const SceneError error = error_of(scene);
+  EXPECT_EQ(error.fault, SceneFault::capacity);
+  EXPECT_EQ(error.exceeded.name, "tools");
+  EXPECT_EQ(error.exceeded.count, kMaxTools + 1);
 }
 
 TEST(HostileImage, WithTooFewCornerNormalsOrPlacesIsRefused) {
@@ -211,7 +212,8 @@ TEST(HostileImage, WithABadEffectIsRefused) {
   refused({.law = FluidDrag{.volume = {.dimensions_m = {-1.0}}}, .max_force_N = 1.0});
   host::BakedScene scene = testing::small_scene();
   scene.effects.assign(kMaxEffects + 1, good);
-  EXPECT_EQ(error_of(scene).fault, SceneFault::effect_count);
+  EXPECT_EQ(error_of(scene).fault, SceneFault::capacity);
+  EXPECT_EQ(error_of(scene).exceeded.name, "effects");
 }
 
 TEST(HostileImage, WithABadNeedleOrTissueIsRefused) {

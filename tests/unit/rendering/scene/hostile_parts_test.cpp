@@ -104,16 +104,18 @@ TEST(HostileParts, MoreThanFitAreRefused) {
     return image ? SceneError{} : image.error();
   };
   const SceneError of_body = error_of_scene(scene);
-  EXPECT_EQ(of_body.fault, SceneFault::body_part_count);
-  EXPECT_EQ(of_body.place, kMaxPartsOfBody + 1);
+  EXPECT_EQ(of_body.fault, SceneFault::capacity);
+  EXPECT_EQ(of_body.exceeded.name, "parts_of_body");
+  EXPECT_EQ(of_body.exceeded.count, kMaxPartsOfBody + 1);
   constexpr std::size_t kFull = kMaxBodyParts / kMaxPartsOfBody;
   scene.objects[1].body->parts.assign(kMaxPartsOfBody, ball);
   while (scene.objects.size() <= kFull) {
     scene.objects.push_back(scene.objects[1]);
   }
   const SceneError of_scene = error_of_scene(scene);
-  EXPECT_EQ(of_scene.fault, SceneFault::body_part_count);
-  EXPECT_EQ(of_scene.object, kFull);
+  EXPECT_EQ(of_scene.fault, SceneFault::capacity);
+  EXPECT_EQ(of_scene.exceeded.name, "body_parts");
+  EXPECT_EQ(of_scene.exceeded.count, kFull * kMaxPartsOfBody + 1);
 }
 
 }  // namespace

@@ -97,7 +97,7 @@ TEST(MotionDescription, SaysWhenTheMovingObjectsDoNotFit) {
   const auto scene_file = folder.write("scene.toml", text);
   EXPECT_TRUE(
       contains(input_error([&] { host::bake_file(scene_file, folder.path() / "scene.tactus"); }),
-               "65 objects move or deform, where 64 fit"));
+               "65 objects that move or deform, where 64 fit"));
 }
 
 }  // namespace
