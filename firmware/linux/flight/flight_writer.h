@@ -94,7 +94,8 @@ class FlightWriter {
   std::mutex file_mutex_;
   FlightFile file_;
   FlightRecorder recorder_;
-  std::array<FlightCompanion*, rendering::kMaxTools - 1> companions_{};
+  // One more than there may be, because an array has at least one.
+  std::array<FlightCompanion*, rendering::kMaxTools> companions_{};
   std::size_t companion_count_ = 0;
   // The watch over each device.
   std::array<FaultWatch, rendering::kMaxTools> faults_;

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <vector>
 
 #include "firmware/safety/faults.h"
 #include "rendering/tick_budget.h"
@@ -207,7 +208,7 @@ TEST_F(ControllerTest, ASceneIsNotSwappedWhileActive) {
 }
 
 TEST_F(ControllerTest, RefusesASceneWhoseMotionsTakeMoreThanHalfOfATick) {
-  const testing::Solid sheet(testing::flat_sheet(0.002, 60), rendering::Sides::two, {});
+  const testing::Solid sheet(testing::flat_sheet(0.002, 52), rendering::Sides::two, {});
   rendering::Object deforming = sheet.object();
   deforming.deforms = true;
   const rendering::WorldConfig scene{.tool_radius_m = 0.002};
@@ -228,6 +229,22 @@ TEST_F(ControllerTest, RefusesASceneWhoseMotionsTakeMoreThanHalfOfATick) {
   EXPECT_GT(rendering::instructions_of(refused.error().standing_units), 150e3);
   EXPECT_EQ(refused.error().budget_units, rendering::units_of(300e3));
   ASSERT_TRUE(controller_.load_scene({}, scene)) << "the sheet ends with this test";
+}
+
+TEST_F(ControllerTest, RefusesASceneThatExceedsACapacityAndKeepsItsOwn) {
+  rendering::Object ball;
+  ball.surface = rendering::SurfaceKind::primitive;
+  ball.primitive = {.kind = rendering::PrimitiveKind::sphere, .dimensions_m = {0.01}};
+  ball.moves = true;
+  const std::vector<rendering::Object> balls(rendering::kMaxMovers + 1, ball);
+  ASSERT_TRUE(controller_.load_scene(floor_.objects(), {.tool_radius_m = 0.0}));
+  const auto refused = controller_.load_scene(balls, {.tool_radius_m = 0.0});
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().fault, SceneFault::capacity);
+  EXPECT_EQ(refused.error().exceeded.name, "movers");
+  EXPECT_EQ(refused.error().exceeded.count, rendering::kMaxMovers + 1);
+  EXPECT_EQ(refused.error().exceeded.limit, rendering::kMaxMovers);
+  EXPECT_EQ(controller_.world().object_count(), floor_.objects().size());
 }
 
 TEST_F(ControllerTest, StageTimesComeFromTheClockAndStayOutOfTheHash) {

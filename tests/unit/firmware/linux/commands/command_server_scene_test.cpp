@@ -5,6 +5,7 @@
 #include <string>
 
 #include "host_tools/remote/remote.h"
+#include "rendering/limits.h"
 #include "tests/unit/firmware/linux/commands/command_server_rig.h"
 #include "tests/unit/rendering/scene/small_scene.h"
 
@@ -110,6 +111,21 @@ TEST_F(CommandServerTest, ASceneThatIsNoneLeavesTheOneInUse) {
   const std::string missing = say("scene /no/such/file");
   EXPECT_EQ(missing, "refused scene: /no/such/file: cannot be read: No such file or directory");
   EXPECT_TRUE(begins(say("get object.right.damping_Ns_per_m"), "ok get"));
+}
+
+TEST_F(CommandServerTest, ASceneThatExceedsACapacityIsToldWhichByHowMuch) {
+  start();
+  host::BakedScene scene = testing::small_scene();
+  scene.effects.assign(rendering::kMaxEffects + 1,
+                       {.law = rendering::Spring{.stiffness_N_per_m = 1.0}, .max_force_N = 1.0});
+  write_scene("full.tactus", scene);
+  const std::string path = (folder_ / "full.tactus").string();
+  const std::string reply = say("scene " + path);
+  EXPECT_TRUE(begins(reply, "refused scene: " + path + ": " +
+                                std::to_string(rendering::kMaxEffects + 1) + " effects, where " +
+                                std::to_string(rendering::kMaxEffects) + " fit (profile " +
+                                std::string(rendering::kProfile.name) + "); leave some out, or "))
+      << reply;
 }
 
 TEST_F(CommandServerTest, NoSceneIsTakenWhileActive) {
