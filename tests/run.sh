@@ -23,6 +23,7 @@ all_stages=(
   "tidy-check        tidy_catches_offences.sh"
   "guides            guides.sh"
   "mutations         mutations.sh"
+  "profiles          profiles.sh"
   "install           install_package.sh"
   "packages          debian_packages.sh"
   "packages-list     packages_come_from_one_list.sh"

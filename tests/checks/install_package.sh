@@ -7,5 +7,8 @@ trap 'rm -rf "$work"' EXIT
 
 "$(dirname "${BASH_SOURCE[0]}")/build.sh" release
 cmake --install build/release --prefix "$work/prefix"
+# The headers have the sizes of the libraries.
+cmp build/release/rendering/generated/rendering/profiles/chosen_profile.h \
+  "$work/prefix/include/tactus/rendering/profiles/chosen_profile.h"
 tests/checks/embedding.sh "$work/prefix"
 tests/checks/deploy_files.sh "$work/prefix"
