@@ -15,7 +15,8 @@ tr -s ' \n' ' ' <"$work/configured" | grep -q "TACTUS_PROFILE is 'pocket', and t
 "$here/build.sh" release tactus
 small=build/microcontroller
 export CCACHE_BASEDIR="$PWD" CCACHE_NOHASHDIR=true
-cmake --preset release -B "$small" -D TACTUS_PROFILE=microcontroller
+# At -O1 it compiles in half of the time.
+cmake --preset release -B "$small" -D TACTUS_PROFILE=microcontroller -D CMAKE_CXX_FLAGS_RELEASE='-O1 -DNDEBUG'
 cmake --build "$small" --target replay_recording static_sizes --parallel "$(nproc)"
 
 # replay SCENE DEVICE: writes what the small profile says of ten seconds on an example.
