@@ -19,6 +19,7 @@
 #include "host_tools/monitor/explain_line.h"
 #include "host_tools/monitor/watch.h"
 #include "host_tools/recording/live_reader.h"
+#include "host_tools/recording/record_columns.h"
 
 namespace tactus::host {
 namespace {
@@ -145,7 +146,7 @@ void run(const WatchOptions& options) {
     print_run(options);
     return;
   }
-  for (const std::string& field : watch_fields(drivers::kMaxJoints)) {
+  for (const std::string& field : column_names(drivers::kMaxJoints)) {
     fmt::print("{}\n", field);
   }
 }

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <span>
 #include <string_view>
 #include <type_traits>
@@ -15,7 +14,7 @@
 #include "firmware/safety/energy_ledger.h"
 #include "firmware/safety/faults.h"
 #include "firmware/telemetry/record_fields.h"
-#include "host_tools/input_error.h"
+#include "host_tools/recording/record_columns.h"
 
 namespace tactus::host {
 
@@ -28,11 +27,6 @@ using PerJoint = std::array<double, drivers::kMaxJoints>;
 constexpr std::array<std::string_view, 10> kUsualFields = {
     "tick",     "mode",     "faults", "limits",  "tool_x_m",
     "tool_y_m", "tool_z_m", "proxy",  "contact", "force"};
-
-// Returns a column's name: "tool" with "_x" in m becomes tool_x_m.
-std::string column(const FieldName& name, std::string_view part) {
-  return fmt::format("{}{}{}{}", name.column, part, name.unit.empty() ? "" : "_", name.unit);
-}
 
 // Returns the names of all set bits, separated by commas; "none" without any.
 std::string fault_names(std::uint64_t bits) {
@@ -52,40 +46,31 @@ std::string word_of(const std::array<std::string_view, kCount>& words, Enum valu
   return index < kCount ? std::string(words[index]) : fmt::format("{}", index);
 }
 
-// A visitor of a tick's fields that collects the names and values of all columns, in order.
-class Columns {
+// A visitor of a tick's fields that collects the words of all columns, in the order of
+// column_names().
+class ColumnWords {
  public:
-  explicit Columns(std::size_t joints) : joints_(joints) {}
+  explicit ColumnWords(std::size_t joints) : joints_(joints) {}
 
   template <class Field>
   void operator()(const FieldName& name, const Field& field) {
-    add(column(name, ""), text_of(name, field));
+    words_.push_back(text_of(name, field));
   }
-  void operator()(const FieldName& name, const firmware::Triple& field) {
-    constexpr std::array<std::string_view, 3> kAxes = {"_x", "_y", "_z"};
-    for (std::size_t i = 0; i < kAxes.size(); ++i) {
-      add(column(name, kAxes[i]), fmt::format("{:.9g}", field[i]));
-    }
+  void operator()(const FieldName& /*name*/, const firmware::Triple& field) { add_all(field); }
+  void operator()(const FieldName& /*name*/, const PerJoint& field) {
+    add_all(std::span(field).first(joints_));
   }
-  void operator()(const FieldName& name, const PerJoint& field) {
-    for (std::size_t i = 0; i < joints_; ++i) {
-      add(column(name, fmt::format("{}", i + 1)), fmt::format("{:.9g}", field[i]));
-    }
-  }
-  void operator()(const FieldName& name, const firmware::EnergyLedger& field) {
-    for (std::size_t i = 0; i < field.size(); ++i) {
-      add(column(name, fmt::format("_{}", firmware::kEnergySourceNames[i])),
-          fmt::format("{:.9g}", field[i]));
-    }
+  void operator()(const FieldName& /*name*/, const firmware::EnergyLedger& field) {
+    add_all(field);
   }
 
-  [[nodiscard]] const std::vector<std::string>& names() const { return names_; }
-  [[nodiscard]] const std::vector<std::string>& values() const { return values_; }
+  [[nodiscard]] const std::vector<std::string>& words() const { return words_; }
 
  private:
-  void add(std::string name, std::string value) {
-    names_.push_back(std::move(name));
-    values_.push_back(std::move(value));
+  void add_all(std::span<const double> values) {
+    for (const double value : values) {
+      words_.push_back(fmt::format("{:.9g}", value));
+    }
   }
 
   template <class Field>
@@ -116,24 +101,8 @@ class Columns {
   }
 
   std::size_t joints_;
-  std::vector<std::string> names_;
-  std::vector<std::string> values_;
+  std::vector<std::string> words_;
 };
-
-Columns columns_of(const firmware::RecordedTick& tick, std::size_t joints) {
-  Columns columns(joints);
-  firmware::visit_tick_fields(tick, columns);
-  return columns;
-}
-
-// Returns true if `field` is the column's name, or its beginning up to an underscore or a number.
-bool is_meant(std::string_view field, std::string_view name) {
-  if (!name.starts_with(field)) {
-    return false;
-  }
-  return name.size() == field.size() || name[field.size()] == '_' ||
-         std::isdigit(static_cast<unsigned char>(name[field.size()])) != 0;
-}
 
 // Returns the value of an event as a number, or by its name if it is a friction model or a contact
 // method.
@@ -151,10 +120,6 @@ std::string value_of(const firmware::TelemetryEvent& event) {
 
 }  // namespace
 
-std::vector<std::string> watch_fields(std::size_t joints) {
-  return columns_of({}, std::min(joints, drivers::kMaxJoints)).names();
-}
-
 WatchLines::WatchLines(std::vector<std::string> fields, std::uint64_t every)
     : fields_(std::move(fields)), every_(std::max<std::uint64_t>(every, 1)) {
   if (fields_.empty()) {
@@ -162,36 +127,20 @@ WatchLines::WatchLines(std::vector<std::string> fields, std::uint64_t every)
   }
 }
 
-// Chooses the columns. A field that is a column's whole name means that column alone.
-void WatchLines::choose(std::size_t joints) {
-  joints_ = std::min(joints, drivers::kMaxJoints);
-  names_ = watch_fields(joints_);
-  for (const std::string& field : fields_) {
-    const bool whole = std::ranges::find(names_, field) != names_.end();
-    const std::size_t before = columns_.size();
-    for (std::size_t i = 0; i < names_.size(); ++i) {
-      if (whole ? names_[i] == field : is_meant(field, names_[i])) {
-        columns_.push_back(i);
-      }
-    }
-    if (columns_.size() == before) {
-      throw InputError(
-          fmt::format("there is no field '{}'; there are: {}", field, fmt::join(names_, " ")));
-    }
-  }
-}
-
 std::string WatchLines::line(const firmware::RecordedTick& tick) {
   if (names_.empty()) {
-    choose(tick.joint_count);
+    joints_ = std::min<std::size_t>(tick.joint_count, drivers::kMaxJoints);
+    names_ = column_names(joints_);
+    columns_ = chosen_columns(fields_, joints_);
   }
   if (seen_++ % every_ != 0) {
     return {};
   }
-  const Columns columns = columns_of(tick, joints_);
+  ColumnWords columns(joints_);
+  firmware::visit_tick_fields(tick, columns);
   std::string text;
   for (const std::size_t i : columns_) {
-    text += fmt::format("{}{}={}", text.empty() ? "" : " ", names_[i], columns.values()[i]);
+    text += fmt::format("{}{}={}", text.empty() ? "" : " ", names_[i], columns.words()[i]);
   }
   return text;
 }

@@ -11,15 +11,10 @@
 
 namespace tactus::host {
 
-// Returns the names of all fields for a run with that many joints; they are the columns of a
-// recording's CSV.
-std::vector<std::string> watch_fields(std::size_t joints);
-
 // Turns ticks into lines of the fields that the user asked for.
 class WatchLines {
  public:
-  // `fields` are names, or beginnings of names before an underscore or a number: "force" stands for
-  // force_x_N, force_y_N and force_z_N, "joint" for joint1 and so on. Without any it writes the
+  // `fields` are those of chosen_columns() (recording/record_columns.h). Without any it writes the
   // usual ones. It writes every `every`-th tick.
   WatchLines(std::vector<std::string> fields, std::uint64_t every);
 
@@ -31,10 +26,6 @@ class WatchLines {
   static std::string line(const firmware::TelemetryEvent& event);
 
  private:
-  // Finds the columns of the fields, by the number of joints. Throws InputError for an unknown
-  // field.
-  void choose(std::size_t joints);
-
   std::vector<std::string> fields_;
   std::uint64_t every_ = 1;
   std::uint64_t seen_ = 0;

@@ -7,6 +7,7 @@
 
 #include "firmware/safety/faults.h"
 #include "host_tools/input_error.h"
+#include "host_tools/recording/record_columns.h"
 #include "tests/unit/host_tools/monitor/example_run.h"
 
 namespace tactus::host {
@@ -59,7 +60,7 @@ TEST(Watch, NamesTheFieldsThereAreWhenOneIsNotKnown) {
 }
 
 TEST(Watch, EveryFieldCanBeAskedForByItsName) {
-  for (const std::string& field : watch_fields(6)) {
+  for (const std::string& field : column_names(6)) {
     firmware::RecordedTick tick = example_tick(7, 3);
     tick.joint_count = 6;
     WatchLines lines({field}, 1);
