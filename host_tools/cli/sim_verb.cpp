@@ -132,7 +132,7 @@ void add_sim_verb(CLI::App& app) {
   verb->add_option("--hashes", options->files.hashes,
                    "Write the state hash of every tick to this file");
   verb->add_option("--record", options->files.record,
-                   "Record the run to this MCAP file, for tactus replay");
+                   "Record the run to this file: .mcap, for tactus replay, or .csv");
   verb->add_option(
       "--explain", options->files.explain,
       "Write every step of every tick to this CSV file (host_tools/explain/README.md)");

@@ -25,6 +25,10 @@ std::string header_checksum(std::span<const std::byte> image) {
   return fmt::format("{:016x}", header.checksum);
 }
 
+std::size_t joints_of_device(const Simulation& simulation, std::size_t device) {
+  return firmware::joint_count(simulation.config(device).mechanism);
+}
+
 [[noreturn]] void fail(const std::filesystem::path& path, int error) {
   throw InputError(fmt::format("{}: cannot write: {}", path.string(), std::strerror(error)));
 }
@@ -38,9 +42,25 @@ RunRecording::RunRecording(const std::filesystem::path& path, const Simulation& 
       tick_ns_(1e9 / simulation.config().rate_hz),
       device_(device) {
   keep_images_safe(path);
+  if (path.extension() == ".csv") {
+    begin_csv(joints_of_device(simulation, device));
+  } else {
+    begin_mcap(simulation, scene);
+  }
+}
+
+void RunRecording::begin_csv(std::size_t joints) {
+  csv_ = std::make_unique<firmware::CsvWriter>();
+  if (const int error = csv_->open(partial_of(place_).c_str(), joints); error != 0) {
+    fail(path_, error);
+  }
+}
+
+void RunRecording::begin_mcap(const Simulation& simulation, std::span<const std::byte> scene) {
+  mcap_ = std::make_unique<firmware::McapWriter>();
   const std::string rate = fmt::format("{}", simulation.config().rate_hz);
   const std::string checksum = header_checksum(scene);
-  const std::string number = fmt::format("{}", device + 1);
+  const std::string number = fmt::format("{}", device_ + 1);
   const std::string count = fmt::format("{}", simulation.device_count());
   const std::array<firmware::MetadataEntry, 5> entries{{{"program", "tactus sim"},
                                                         {"rate_hz", rate},
@@ -48,26 +68,31 @@ RunRecording::RunRecording(const std::filesystem::path& path, const Simulation& 
                                                         {firmware::kDeviceNumberKey, number},
                                                         {firmware::kDeviceCountKey, count}}};
   const auto info = std::span(entries).first(simulation.device_count() == 1 ? 3 : 5);
-  if (const int error = writer_->open(partial_of(place_).c_str(), 0, info); error != 0) {
-    fail(path, error);
+  if (const int error = mcap_->open(partial_of(place_).c_str(), 0, info); error != 0) {
+    fail(path_, error);
   }
   std::array<std::byte, firmware::kMaxConfigBytes> config{};
-  const std::size_t size = firmware::save_config(simulation.config(device), config);
-  writer_->attach({.name = firmware::kConfigAttachment, .bytes = std::span(config).first(size)});
-  writer_->attach({.name = firmware::kSceneAttachment, .bytes = scene});
+  const std::size_t size = firmware::save_config(simulation.config(device_), config);
+  mcap_->attach({.name = firmware::kConfigAttachment, .bytes = std::span(config).first(size)});
+  mcap_->attach({.name = firmware::kSceneAttachment, .bytes = scene});
 }
 
 void RunRecording::add(const Simulation& simulation) {
   firmware::RecordedTick tick{.record = simulation.record(device_)};
   tick.loop.scheduled_ns = due_ns(tick.record.tick);
-  tick.joint_count =
-      static_cast<std::uint32_t>(firmware::joint_count(simulation.config(device_).mechanism));
-  writer_->add(tick);
+  tick.joint_count = static_cast<std::uint32_t>(joints_of_device(simulation, device_));
+  if (csv_) {
+    csv_->add(tick);
+  } else {
+    mcap_->add(tick);
+  }
 }
 
 void RunRecording::add(firmware::Explanation explanation) {
-  explanation.time_ns = due_ns(explanation.tick);
-  writer_->add(explanation);
+  if (mcap_) {
+    explanation.time_ns = due_ns(explanation.tick);
+    mcap_->add(explanation);
+  }
 }
 
 std::int64_t RunRecording::due_ns(std::uint64_t tick) const {
@@ -76,7 +101,7 @@ std::int64_t RunRecording::due_ns(std::uint64_t tick) const {
 
 void RunRecording::close() {
   const std::filesystem::path partial = partial_of(place_);
-  if (const int error = writer_->close(); error != 0) {
+  if (const int error = csv_ ? csv_->close() : mcap_->close(); error != 0) {
     ::unlink(partial.c_str());
     fail(path_, error);
   }

@@ -1,6 +1,6 @@
-// Writes a simulated run as an MCAP recording, with everything that a replay needs: the
-// configuration and the scene. `tactus sim --record` uses it; the recording of a real run is
-// written by tactusd.
+// Writes a simulated run as a recording: CSV if the file's name ends in .csv, as tactusd does, else
+// MCAP with everything that a replay needs, the configuration and the scene. `tactus sim --record`
+// uses it; the recording of a real run is written by tactusd.
 #pragma once
 
 #include <cstddef>
@@ -9,6 +9,7 @@
 #include <memory>
 #include <span>
 
+#include "firmware/linux/telemetry/csv_writer.h"
 #include "firmware/linux/telemetry/mcap_writer.h"
 #include "host_tools/files/output_place.h"
 #include "host_tools/simulation/simulation.h"
@@ -25,7 +26,7 @@ class RunRecording {
 
   // Adds the last tick.
   void add(const Simulation& simulation);
-  // Adds the explanation of the last tick, which has the tick's time from here.
+  // Adds the explanation of the last tick, which has the tick's time from here. CSV has none.
   void add(firmware::Explanation explanation);
   // Completes the recording and puts it in its place. Throws InputError if any part of it could not
   // be written.
@@ -39,9 +40,15 @@ class RunRecording {
   // times the period.
   [[nodiscard]] std::int64_t due_ns(std::uint64_t tick) const;
 
+  // Open the temporary file. Throw InputError if it cannot be written.
+  void begin_csv(std::size_t joints);
+  void begin_mcap(const Simulation& simulation, std::span<const std::byte> scene);
+
   double tick_ns_;
   std::size_t device_;
-  std::unique_ptr<firmware::McapWriter> writer_ = std::make_unique<firmware::McapWriter>();
+  // The writer of the file's format; the other is null.
+  std::unique_ptr<firmware::McapWriter> mcap_;
+  std::unique_ptr<firmware::CsvWriter> csv_;
 };
 
 }  // namespace tactus::host

@@ -190,5 +190,18 @@ TEST_F(ExportRun, TheProgramWritesBesideTheRecordingAndReplacesNothing) {
   EXPECT_TRUE(piped.output.starts_with("tick\n0\n1\n")) << piped.output;
 }
 
+// The same run, recorded in both forms.
+TEST_F(ExportRun, OfASimulationIsWhatThatRecordsAsCsv) {
+  std::ofstream(file("scene.toml")) << "[[object]]\nname = \"wall\"\nprimitive = \"plane\"\n";
+  for (const std::string arguments :
+       {"bake --quiet scene.toml -o scene.tactus", "sim scene.tactus --seconds 1 --record run.mcap",
+        "sim scene.tactus --seconds 1 --record recorded.csv", "export run.mcap -o exported.csv"}) {
+    const testing::Outcome outcome = testing::run_program(folder(), arguments);
+    ASSERT_EQ(outcome.exit_code, 0) << arguments << "\n" << outcome.output;
+  }
+  EXPECT_EQ(lines_of("recorded.csv").size(), 1001U);
+  EXPECT_EQ(text_of("exported.csv"), text_of("recorded.csv"));
+}
+
 }  // namespace
 }  // namespace tactus::host
