@@ -6,8 +6,14 @@
 // host_tools/recording/record_decoder.cpp; tests hold all of them against each other.
 #pragma once
 
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <span>
 #include <string_view>
+#include <type_traits>
 
+#include "firmware/safety/energy_ledger.h"
 #include "firmware/telemetry/recorded_tick.h"
 
 namespace tactus::firmware {
@@ -92,6 +98,40 @@ void visit_tick_fields(Tick& tick, Visit&& visit) {
   visit(FieldName{"torque_Nm", "torque", "Nm"}, tick.torque_Nm);
   visit(FieldName{"joint_count", "joints", ""}, tick.joint_count);
   visit(FieldName{"dropped", "dropped", ""}, tick.dropped);
+}
+
+// The name of a column: the names of its field, and the element of the field in two parts, which
+// are empty if the field is one number: "_" and "x", "" and "1", "_" and "contact".
+struct ColumnName {
+  FieldName field;
+  std::string_view before;
+  std::string_view element;
+};
+
+// Calls visit(ColumnName, value) for each column of a tick in order: a triple has three, an array
+// of joints as many as there are joints, the energy one for each source.
+template <class Visit>
+void visit_tick_columns(const RecordedTick& tick, std::size_t joints, Visit&& visit) {
+  static constexpr std::array<std::string_view, 3> kAxes = {"x", "y", "z"};
+  static constexpr std::array<std::string_view, drivers::kMaxJoints> kJoints = {"1", "2", "3",
+                                                                                "4", "5", "6"};
+  static_assert(!kJoints.back().empty());
+  visit_tick_fields(tick, [&]<class Field>(const FieldName& name, const Field& field) {
+    const auto visit_each = [&](std::string_view before, const auto& elements, const auto& values) {
+      for (std::size_t i = 0; i < values.size(); ++i) {
+        visit(ColumnName{name, before, elements[i]}, values[i]);
+      }
+    };
+    if constexpr (std::is_same_v<Field, Triple>) {
+      visit_each("_", kAxes, field);
+    } else if constexpr (std::is_same_v<Field, std::array<double, drivers::kMaxJoints>>) {
+      visit_each("", kJoints, std::span(field).first(std::min(joints, field.size())));
+    } else if constexpr (std::is_same_v<Field, EnergyLedger>) {
+      visit_each("_", kEnergySourceNames, field);
+    } else {
+      visit(ColumnName{name, "", ""}, field);
+    }
+  });
 }
 
 }  // namespace tactus::firmware

@@ -76,25 +76,21 @@ void EmulatedMachine::add_listener(std::function<void(hal::TimeNs)> run, int des
 }
 
 void EmulatedMachine::step() {
-  turn_shafts();
-  for (const auto& device : devices_) {
-    device(next_step_ns_);
-  }
-  for (const auto& listener : listeners_) {
-    listener(next_step_ns_);
-  }
-  finish_step();
+  make_step(true);
 }
 
 void EmulatedMachine::coast() {
+  make_step(false);
+}
+
+void EmulatedMachine::make_step(bool listens) {
   turn_shafts();
   for (const auto& device : devices_) {
     device(next_step_ns_);
   }
-  finish_step();
-}
-
-void EmulatedMachine::finish_step() {
+  for (std::size_t i = 0; listens && i < listeners_.size(); ++i) {
+    listeners_[i](next_step_ns_);
+  }
   move(take_torques());
   next_step_ns_ += step_ns_;
 }

@@ -119,8 +119,8 @@ class EmulatedMachine {
   [[nodiscard]] const Plant& plant() const { return plant_; }
 
  private:
-  // Advances plant and hand to the end of the step, under the torques of the shafts.
-  void finish_step();
+  // Makes a step, and runs the listeners in it if `listens`.
+  void make_step(bool listens);
   // Notes the true state and turns each shaft by its transmission.
   void turn_shafts();
   // Returns the joints' efforts from the shafts' torques.

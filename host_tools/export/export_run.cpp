@@ -120,12 +120,6 @@ class TickText {
   std::vector<ColumnValue> values_;
 };
 
-std::string_view kind_of(const firmware::TelemetryEvent& event) {
-  const auto index = static_cast<std::size_t>(event.kind);
-  constexpr auto& kKinds = firmware::kEventKindNames;
-  return index < kKinds.size() ? kKinds[index] : std::string_view("unknown");
-}
-
 std::string no_tick_between(const ExportChoice& choice, double last_s) {
   const std::string from =
       std::isfinite(choice.from_s) ? fmt::format(" from {} s on", choice.from_s) : "";

@@ -21,7 +21,6 @@ namespace tactus::host {
 namespace {
 
 using firmware::FieldName;
-using PerJoint = std::array<double, drivers::kMaxJoints>;
 
 // The fields of a user who names none.
 constexpr std::array<std::string_view, 10> kUsualFields = {
@@ -46,63 +45,33 @@ std::string word_of(const std::array<std::string_view, kCount>& words, Enum valu
   return index < kCount ? std::string(words[index]) : fmt::format("{}", index);
 }
 
-// A visitor of a tick's fields that collects the words of all columns, in the order of
-// column_names().
-class ColumnWords {
- public:
-  explicit ColumnWords(std::size_t joints) : joints_(joints) {}
-
-  template <class Field>
-  void operator()(const FieldName& name, const Field& field) {
-    words_.push_back(text_of(name, field));
+// Returns the word or number of a column.
+template <class Field>
+std::string text_of(const FieldName& name, const Field& field) {
+  constexpr std::array<std::string_view, 4> kContacts = {"none", "face", "edge", "vertex"};
+  constexpr std::array<std::string_view, 3> kFrictions = {"free", "stick", "slip"};
+  if constexpr (std::is_same_v<Field, firmware::Mode>) {
+    return word_of(firmware::kModeNames, field);
+  } else if constexpr (std::is_same_v<Field, firmware::Request>) {
+    return word_of(firmware::kRequestNames, field);
+  } else if constexpr (std::is_same_v<Field, rendering::ContactKind>) {
+    return word_of(kContacts, field);
+  } else if constexpr (std::is_same_v<Field, rendering::FrictionState>) {
+    return word_of(kFrictions, field);
+  } else if constexpr (std::is_same_v<Field, firmware::EnergySource>) {
+    return word_of(firmware::kEnergySourceNames, field);
+  } else if constexpr (std::is_enum_v<Field>) {
+    return fmt::format("{}", static_cast<unsigned>(field));
+  } else if constexpr (std::is_floating_point_v<Field>) {
+    return fmt::format("{:.9g}", field);
+  } else if (name.name == "faults" || name.name == "limits") {
+    return fault_names(static_cast<std::uint64_t>(field));
+  } else if (name.name == "state_hash") {
+    return fmt::format("{:016x}", field);
+  } else {
+    return fmt::format("{}", field);
   }
-  void operator()(const FieldName& /*name*/, const firmware::Triple& field) { add_all(field); }
-  void operator()(const FieldName& /*name*/, const PerJoint& field) {
-    add_all(std::span(field).first(joints_));
-  }
-  void operator()(const FieldName& /*name*/, const firmware::EnergyLedger& field) {
-    add_all(field);
-  }
-
-  [[nodiscard]] const std::vector<std::string>& words() const { return words_; }
-
- private:
-  void add_all(std::span<const double> values) {
-    for (const double value : values) {
-      words_.push_back(fmt::format("{:.9g}", value));
-    }
-  }
-
-  template <class Field>
-  static std::string text_of(const FieldName& name, const Field& field) {
-    constexpr std::array<std::string_view, 4> kContacts = {"none", "face", "edge", "vertex"};
-    constexpr std::array<std::string_view, 3> kFrictions = {"free", "stick", "slip"};
-    if constexpr (std::is_same_v<Field, firmware::Mode>) {
-      return word_of(firmware::kModeNames, field);
-    } else if constexpr (std::is_same_v<Field, firmware::Request>) {
-      return word_of(firmware::kRequestNames, field);
-    } else if constexpr (std::is_same_v<Field, rendering::ContactKind>) {
-      return word_of(kContacts, field);
-    } else if constexpr (std::is_same_v<Field, rendering::FrictionState>) {
-      return word_of(kFrictions, field);
-    } else if constexpr (std::is_same_v<Field, firmware::EnergySource>) {
-      return word_of(firmware::kEnergySourceNames, field);
-    } else if constexpr (std::is_enum_v<Field>) {
-      return fmt::format("{}", static_cast<unsigned>(field));
-    } else if constexpr (std::is_floating_point_v<Field>) {
-      return fmt::format("{:.9g}", field);
-    } else if (name.name == "faults" || name.name == "limits") {
-      return fault_names(static_cast<std::uint64_t>(field));
-    } else if (name.name == "state_hash") {
-      return fmt::format("{:016x}", field);
-    } else {
-      return fmt::format("{}", field);
-    }
-  }
-
-  std::size_t joints_;
-  std::vector<std::string> words_;
-};
+}
 
 // Returns the value of an event as a number, or by its name if it is a friction model or a contact
 // method.
@@ -136,21 +105,22 @@ std::string WatchLines::line(const firmware::RecordedTick& tick) {
   if (seen_++ % every_ != 0) {
     return {};
   }
-  ColumnWords columns(joints_);
-  firmware::visit_tick_fields(tick, columns);
+  std::vector<std::string> words;
+  words.reserve(names_.size());
+  firmware::visit_tick_columns(tick, joints_,
+                               [&](const firmware::ColumnName& column, const auto& value) {
+                                 words.push_back(text_of(column.field, value));
+                               });
   std::string text;
   for (const std::size_t i : columns_) {
-    text += fmt::format("{}{}={}", text.empty() ? "" : " ", names_[i], columns.words()[i]);
+    text += fmt::format("{}{}={}", text.empty() ? "" : " ", names_[i], words[i]);
   }
   return text;
 }
 
 std::string WatchLines::line(const firmware::TelemetryEvent& event) {
-  const auto kind = static_cast<std::size_t>(event.kind);
-  return fmt::format(
-      "event tick={} kind={} name={} value={}", event.tick,
-      kind < firmware::kEventKindNames.size() ? firmware::kEventKindNames[kind] : "unknown",
-      firmware::name_of(event), value_of(event));
+  return fmt::format("event tick={} kind={} name={} value={}", event.tick, kind_of(event),
+                     firmware::name_of(event), value_of(event));
 }
 
 }  // namespace tactus::host

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "firmware/telemetry/recorded_tick.h"
+#include "firmware/telemetry/telemetry_event.h"
 
 namespace tactus::host {
 
@@ -35,5 +36,8 @@ std::vector<std::size_t> chosen_columns(std::span<const std::string> fields, std
 // Writes the values of all columns of a tick over `values`, in the order of column_names().
 void read_columns(const firmware::RecordedTick& tick, std::size_t joints,
                   std::vector<ColumnValue>& values);
+
+// Returns the word of an event's kind; "unknown" for one that this version does not know.
+std::string_view kind_of(const firmware::TelemetryEvent& event);
 
 }  // namespace tactus::host

@@ -35,8 +35,8 @@ struct CapacityProfile {
   // Objects that a needle pierces; at most 254.
   std::size_t tissues;
 
-  // What a running scene may use. A tick that reaches one of the last three gives other bits than
-  // it would in a larger profile, and says so in Touch::flags where limits.h names a flag.
+  // The most that a running scene uses. A tick that reaches one of the last three gives other bits
+  // than it would in a larger profile, and says so in Touch::flags where limits.h names a flag.
   //
   // Objects whose material or method is changed while the scene runs; at most 254.
   std::size_t changed_objects;

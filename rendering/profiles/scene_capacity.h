@@ -12,7 +12,7 @@
 
 namespace tactus::rendering {
 
-// What a scene has of each size of a profile that bounds scenes; see CapacityProfile.
+// The numbers of a scene that the sizes of a profile bound; see CapacityProfile.
 struct SceneCounts {
   std::size_t objects = 0;
   std::size_t tools = 0;
@@ -70,7 +70,7 @@ inline constexpr std::array kSceneCapacities{
 struct ExceededCapacity {
   std::string_view name;
   std::string_view noun;
-  // What the scene has, and what the profile has room for.
+  // The number that the scene has, and the most that the profile has room for.
   std::size_t count = 0;
   std::size_t limit = 0;
 };

@@ -155,6 +155,19 @@ TEST(CornerFriction, ChangesContinuouslyFromOneSurfaceToTheOther) {
   }
 }
 
+// Returns the corners of a path that begins and ends out of contact and has six places in it. The
+// order of drawing is that of a list, the same with every compiler.
+std::vector<Vec3> closed_path(std::mt19937& random) {
+  std::uniform_real_distribution<double> any(-1.0, 1.0);
+  std::vector<Vec3> corners{{0.0, 0.001, 0.0}};
+  for (int i = 0; i < 6; ++i) {
+    const std::array<double, 3> drawn{any(random), any(random), any(random)};
+    corners.emplace_back(0.0008 * drawn[0], -0.002 + 0.001 * drawn[1], 0.002 * drawn[2]);
+  }
+  corners.push_back(corners.front());
+  return corners;
+}
+
 // Returns the work of the force on the tool along straight segments between the corners.
 double given_out_J(Groove& groove, const std::vector<Vec3>& corners) {
   double work_J = 0.0;
@@ -174,7 +187,6 @@ double given_out_J(Groove& groove, const std::vector<Vec3>& corners) {
 // A path of the tool that comes back to its start in contact, with stops, and out of contact again.
 TEST(CornerFriction, GivesNothingOutOnAClosedPath) {
   std::mt19937 random(3);
-  std::uniform_real_distribution<double> any(-1.0, 1.0);
   for (const NamedFriction& left : rough_kinds()) {
     for (const NamedFriction& right : smooth_kinds()) {
       for (const double softer : {1.0, 0.2}) {
@@ -183,13 +195,7 @@ TEST(CornerFriction, GivesNothingOutOnAClosedPath) {
         }
         Groove groove(0.25 * std::numbers::pi, {1000.0, left.parameters},
                       {1000.0 * softer, right.parameters});
-        std::vector<Vec3> corners{{0.0, 0.001, 0.0}};
-        for (int i = 0; i < 6; ++i) {
-          const std::array<double, 3> drawn{any(random), any(random), any(random)};
-          corners.emplace_back(0.0008 * drawn[0], -0.002 + 0.001 * drawn[1], 0.002 * drawn[2]);
-        }
-        corners.push_back(corners.front());
-        EXPECT_LE(given_out_J(groove, corners), 1e-9)
+        EXPECT_LE(given_out_J(groove, closed_path(random)), 1e-9)
             << left.name << ", " << right.name << ", " << softer;
       }
     }
@@ -208,13 +214,8 @@ TEST(CornerFriction, OfConesGivesNothingOutOnAnyClosedPath) {
     const double softer = 0.6 + 0.4 * any(random);
     Groove groove(0.25 * std::numbers::pi, {1000.0, kRoughCone},
                   {1000.0 * softer, scaled(kRoughCone, 0.2)});
-    std::vector<Vec3> corners{{0.0, 0.001, 0.0}};
-    for (int i = 0; i < 6; ++i) {
-      const std::array<double, 3> drawn{any(random), any(random), any(random)};
-      corners.emplace_back(0.0008 * drawn[0], -0.002 + 0.001 * drawn[1], 0.002 * drawn[2]);
-    }
-    corners.push_back(corners.front());
-    EXPECT_LE(given_out_J(groove, corners), 1e-9) << "path " << path << ", softer " << softer;
+    EXPECT_LE(given_out_J(groove, closed_path(random)), 1e-9)
+        << "path " << path << ", softer " << softer;
   }
 }
 
