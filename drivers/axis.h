@@ -20,8 +20,9 @@ namespace tactus::drivers {
 struct AxisSample {
   double position_rad = 0.0;
   double velocity_rad_per_s = 0.0;
-  double torque_Nm = 0.0;   // measured by the device; valid only if has_torque
-  bool has_torque = false;  // the device reports torque or current, and has sent one
+  double torque_Nm = 0.0;          // measured by the device; valid only if has_torque
+  bool has_torque = false;         // the device reports torque or current, and has sent one
+  hal::TimeNs torque_time_ns = 0;  // when that came; another value is a new measurement
   hal::TimeNs time_ns = 0;  // best estimate of when the position was true; 0: no position yet
   std::uint32_t status = kDeviceNotReady;  // DeviceStatus bits; faults are latched
   // The position at which the encoder's index pulse was last seen, rad, for a reference by index.

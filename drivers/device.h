@@ -38,7 +38,10 @@ struct JointSample {
   // reports torque or current.
   std::array<double, kMaxJoints> effort{};
   std::uint32_t effort_known = 0;  // one bit per joint; joint 0 is the lowest
-  std::uint32_t age_us = 0;        // time since the encoders were read
+  // A bit for each joint whose drive has measured its effort since the last sample. Other efforts
+  // are repeated: a drive may measure more seldom than the controller ticks.
+  std::uint32_t effort_is_new = 0;
+  std::uint32_t age_us = 0;  // time since the encoders were read
   std::uint32_t status = kDeviceOk;
 };
 

@@ -34,6 +34,7 @@ void DriveSample::show(double torque_Nm, hal::TimeNs time_ns) {
   }
   sample_.torque_Nm = torque_Nm;
   sample_.has_torque = true;
+  sample_.torque_time_ns = time_ns;
 }
 
 bool DriveSample::take_velocity(std::int32_t velocity) {

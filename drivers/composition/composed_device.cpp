@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <span>
+#include <utility>
 
 namespace tactus::drivers {
 
@@ -123,6 +124,9 @@ std::uint32_t ComposedDevice::read_joint(std::size_t i, hal::TimeNs now_ns, Join
   if (motor.has_torque) {
     sample.effort[i] = joint_effort(transmission, motor.torque_Nm);
     sample.effort_known |= 1U << i;
+    if (motor.torque_time_ns != std::exchange(joint.torque_time_ns, motor.torque_time_ns)) {
+      sample.effort_is_new |= 1U << i;
+    }
   }
   // Before the joint is up and referenced its position is meaningless, so its age does not matter.
   if ((status & (kDeviceNotReady | kDeviceHoming)) == 0) {

@@ -91,7 +91,8 @@ class ComposedDevice {
   struct Joint {
     JointWiring wiring;
     Homing homing;
-    Trouble why_lost;  // the cause of a lost reference; empty if none was lost
+    Trouble why_lost;                // the cause of a lost reference; empty if none was lost
+    hal::TimeNs torque_time_ns = 0;  // the time of the last measured torque
   };
   struct BoardState {
     BoardRef ref;

@@ -157,6 +157,7 @@ void MoteusCanFd::take_position(const moteus::Reply& reply, hal::TimeNs time_ns)
   if (reply.torque_Nm && std::isfinite(*reply.torque_Nm)) {
     sample_.torque_Nm = *reply.torque_Nm;
     sample_.has_torque = true;
+    sample_.torque_time_ns = time_ns;
   }
   sample_.time_ns = time_ns;
   sample_.status &= ~std::uint32_t{kDeviceStale};

@@ -109,6 +109,7 @@ void ODriveCan::take_torque(double torque_Nm, hal::TimeNs time_ns) {
   if (stage_.phase == Phase::up && std::isfinite(torque_Nm)) {
     sample_.torque_Nm = torque_Nm;
     sample_.has_torque = true;
+    sample_.torque_time_ns = time_ns;
     heard_.torque_ns = time_ns;
   }
 }

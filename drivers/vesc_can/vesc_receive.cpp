@@ -49,6 +49,7 @@ void VescCan::take_status(const vesc::Status& status) {
   sample_.torque_Nm =
       config_.torque_constant_Nm_per_A * std::copysign(1.0, status.duty) * status.current_A;
   sample_.has_torque = status.duty != 0.0 || status.current_A == 0.0;
+  sample_.torque_time_ns = heard_.status_ns;
   heard_.is_stale = false;
   update_status();
 }

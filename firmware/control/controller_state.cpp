@@ -11,8 +11,8 @@ namespace {
 
 using rendering::StateArchive;
 
-// The bytes "TACTUS07" with which a state begins. A change of the format gets another last digit.
-constexpr std::uint64_t kMagic = 0x3730'5355'5443'4154U;
+// The bytes "TACTUS08" with which a state begins. A change of the format gets another last digit.
+constexpr std::uint64_t kMagic = 0x3830'5355'5443'4154U;
 
 }  // namespace
 
@@ -45,12 +45,14 @@ void EncoderGuard::transfer(StateArchive& archive) {
 
 void EffortGuard::transfer(StateArchive& archive) {
   [[maybe_unused]] auto& [joints, joint_count, step_s, motion_share, effort_share,
-                          wrong_ticks_to_fault] = *this;
+                          wrong_ticks_to_fault, late_ticks, span_ticks] = *this;
   for (Joint& joint : joints) {
-    [[maybe_unused]] auto& [force_N, speed_m_per_s, growth, commanded, measured, largest,
-                            wrong_ticks] = joint;
-    archive(force_N, speed_m_per_s, growth, commanded, measured, wrong_ticks);
+    [[maybe_unused]] auto& [force_N, speed_m_per_s, growth, commanded, held_now, held_before,
+                            distance, largest, unmeasured_ticks, wrong_ticks] = joint;
+    archive(force_N, speed_m_per_s, growth, commanded, held_now.least, held_now.most,
+            held_before.least, held_before.most, distance, unmeasured_ticks, wrong_ticks);
   }
+  archive.up_to(span_ticks, late_ticks);
 }
 
 // Bounds the numbers that index arrays, because a damaged file may hold anything.

@@ -15,6 +15,7 @@ void forget_beyond(std::size_t joint_count, drivers::JointSample& sample) {
     sample.velocity[joint] = 0.0;
     sample.effort[joint] = 0.0;
     sample.effort_known &= ~(1U << joint);
+    sample.effort_is_new &= ~(1U << joint);
   }
 }
 

@@ -47,6 +47,7 @@ void Guards::check_motors(const TickInputs& inputs, const Pose& pose, ModeMachin
     return;
   }
   if (modes.has_raised(kLimitStaleSample)) {
+    efforts.pass(inputs.held);
     signs.pass();
     return;
   }

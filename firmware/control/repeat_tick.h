@@ -30,6 +30,7 @@ inline void repeat_tick(Controller& controller, std::span<const TelemetryRecord>
     sample.velocity = record.joint_velocity;
     sample.effort = record.joint_measured;
     sample.effort_known = record.effort_known;
+    sample.effort_is_new = record.effort_is_new;
     sample.age_us = record.sample_age_us;
     sample.status = record.device_status;
     requests[i] = record.request;

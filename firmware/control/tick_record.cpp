@@ -19,6 +19,7 @@ void open_record(const NextTick& next, const drivers::JointSample& sample, Reque
   record.loop_status = next.loop.status;
   record.missed_ticks = next.loop.missed_ticks;
   record.effort_known = sample.effort_known;
+  record.effort_is_new = sample.effort_is_new;
   record.time_s = static_cast<double>(record.tick) / rate_hz;
   for (std::size_t joint = 0; joint < kJointCount; ++joint) {
     record.joint_position[joint] = sample.position[joint];

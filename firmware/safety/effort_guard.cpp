@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "firmware/safety/faults.h"
 
@@ -26,13 +27,17 @@ constexpr double kMotionSmoothing_s = 0.004;
 constexpr double kTolerance = 0.25;
 constexpr double kLeastShare = 0.1;
 constexpr double kEffortSmoothing_s = 0.02;
+// A drive's own filter and the time in which it measures.
+constexpr double kDriveDelay_s = 0.005;
+// A command reaches the drive within the tick, and the measurement comes with the next sample.
+constexpr double kTicksOnTheBus = 2.0;
 constexpr double kMismatch_s = 0.01;
 
 // A joint whose unit moves the tool by less than this, m, does not count.
 constexpr double kLeastLever = 1e-6;
 
-// Returns the share by which a low-pass of that time constant follows in a tick (backward Euler).
-double share_a_tick(double step_s, double smoothing_s) {
+// Returns the share by which a low-pass of that time constant follows in a step (backward Euler).
+double share_of_step(double step_s, double smoothing_s) {
   return step_s / (step_s + smoothing_s);
 }
 
@@ -41,10 +46,12 @@ double share_a_tick(double step_s, double smoothing_s) {
 void EffortGuard::configure(const ControllerConfig& config) {
   joint_count_ = joint_count(config.mechanism);
   step_s_ = 1.0 / config.rate_hz;
-  motion_share_ = share_a_tick(step_s_, kMotionSmoothing_s);
-  effort_share_ = share_a_tick(step_s_, kEffortSmoothing_s);
+  motion_share_ = share_of_step(step_s_, kMotionSmoothing_s);
+  effort_share_ = share_of_step(step_s_, kEffortSmoothing_s);
   wrong_ticks_to_fault_ =
       static_cast<std::uint32_t>(std::max(1.0, std::ceil(kMismatch_s * config.rate_hz)));
+  late_ticks_ = static_cast<std::uint32_t>(
+      kTicksOnTheBus + std::ceil((kDriveDelay_s + config.safety.device_delay_s) * config.rate_hz));
   for (std::size_t i = 0; i < kJointCount; ++i) {
     joints_[i].largest = config.joints[i].max_effort;
   }
@@ -55,11 +62,17 @@ void EffortGuard::rest() {
   for (Joint& joint : joints_) {
     joint = Joint{.largest = joint.largest};
   }
+  span_ticks_ = 0;
+}
+
+void EffortGuard::pass(const JointEfforts& held) {
+  take_held(held);
 }
 
 EffortFinding EffortGuard::check(const drivers::JointSample& sample, const Pose& pose,
                                  const JointEfforts& held) {
   EffortFinding found;
+  take_held(held);
   for (std::size_t i = 0; i < joint_count_; ++i) {
     std::uint64_t faults = kNoFault;
     const double lever = pose.jacobian_D.col(static_cast<Eigen::Index>(i)).norm();
@@ -67,8 +80,8 @@ EffortFinding EffortGuard::check(const drivers::JointSample& sample, const Pose&
         is_driven_against(joints_[i], held[i] / lever, sample.velocity[i] * lever)) {
       faults |= kFaultMotorReversed;
     }
-    const bool is_known = (sample.effort_known >> i & 1U) != 0;
-    if (is_mismatched(joints_[i], held[i], is_known ? sample.effort[i] : held[i])) {
+    const bool is_new = (sample.effort_is_new & sample.effort_known & 1U << i) != 0;
+    if (is_new && is_mismatched(joints_[i], held[i], sample.effort[i])) {
       faults |= kFaultEffortMismatch;
     }
     if (faults != kNoFault && found.joint == 0) {
@@ -97,15 +110,38 @@ bool EffortGuard::is_driven_against(Joint& joint, double force_N, double speed_m
   return joint.growth > kGrowth;
 }
 
-// A measurement that is not finite counts as a mismatch, of the size of the command.
-bool EffortGuard::is_mismatched(Joint& joint, double commanded, double measured) const {
-  const double finite = std::isfinite(measured) ? measured : -commanded;
-  joint.commanded += effort_share_ * (commanded - joint.commanded);
-  joint.measured += effort_share_ * (finite - joint.measured);
-  const bool is_wrong = std::abs(joint.measured - joint.commanded) >
+void EffortGuard::take_held(const JointEfforts& held) {
+  const bool begins_span = span_ticks_ == late_ticks_;
+  span_ticks_ = begins_span ? 1 : span_ticks_ + 1;
+  for (std::size_t i = 0; i < joint_count_; ++i) {
+    Joint& joint = joints_[i];
+    if (begins_span) {
+      joint.held_before = joint.held_now;
+      joint.held_now = {.least = held[i], .most = held[i]};
+    }
+    joint.held_now.least = std::min(joint.held_now.least, held[i]);
+    joint.held_now.most = std::max(joint.held_now.most, held[i]);
+    joint.commanded += effort_share_ * (held[i] - joint.commanded);
+    ++joint.unmeasured_ticks;
+  }
+}
+
+// A measurement that is not finite counts as the reverse of the command.
+bool EffortGuard::is_mismatched(Joint& joint, double held, double measured) const {
+  const double finite = std::isfinite(measured) ? measured : -held;
+  const double nearest = std::clamp(finite, std::min(joint.held_now.least, joint.held_before.least),
+                                    std::max(joint.held_now.most, joint.held_before.most));
+  const std::uint32_t ticks = std::exchange(joint.unmeasured_ticks, 0);
+  joint.distance +=
+      share_of_step(ticks * step_s_, kEffortSmoothing_s) * (finite - nearest - joint.distance);
+  const bool is_wrong = std::abs(joint.distance) >
                         kTolerance * std::abs(joint.commanded) + kLeastShare * joint.largest;
-  joint.wrong_ticks = is_wrong ? std::min(joint.wrong_ticks + 1, wrong_ticks_to_fault_) : 0;
-  return joint.wrong_ticks >= wrong_ticks_to_fault_;
+  if (!is_wrong) {
+    joint.wrong_ticks = 0;
+    return false;
+  }
+  joint.wrong_ticks += joint.wrong_ticks == 0 ? 1 : ticks;
+  return joint.wrong_ticks > wrong_ticks_to_fault_;
 }
 
 }  // namespace tactus::firmware

@@ -74,6 +74,7 @@ std::uint64_t state_hash(const TelemetryRecord& record, std::uint64_t previous) 
   if (record.effort_known != 0) {
     hash.add_reals(record.joint_measured);
     hash.add(record.effort_known);
+    hash.add(record.effort_is_new);
   }
   if (record.short_of_goal_m != 0.0) {
     hash.add_real(record.short_of_goal_m);

@@ -124,6 +124,8 @@ struct TelemetryRecord {
   std::array<double, drivers::kMaxJoints> joint_measured{};
   // A bit for each joint with a measurement; bit 0 is the first joint.
   std::uint32_t effort_known = 0;
+  // A bit for each joint whose drive has measured anew since the last tick.
+  std::uint32_t effort_is_new = 0;
   // The joint of a latched motor_reversed or effort_mismatch, 1 for the first; 0: none. Not hashed,
   // because `faults` is.
   std::uint32_t fault_joint = 0;

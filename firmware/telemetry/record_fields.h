@@ -74,6 +74,7 @@ void visit_record_fields(Record& record, Visit&& visit) {
   visit(FieldName{"change.value", "changed_value", ""}, record.change.value);
   visit(FieldName{"joint_measured", "measured", ""}, record.joint_measured);
   visit(FieldName{"effort_known", "effort_known", ""}, record.effort_known);
+  visit(FieldName{"effort_is_new", "effort_is_new", ""}, record.effort_is_new);
   visit(FieldName{"fault_joint", "fault_joint", ""}, record.fault_joint);
   visit(FieldName{"fault_device", "fault_device", ""}, record.fault_device);
   visit(FieldName{"short_of_goal_m", "short_of_goal", "m"}, record.short_of_goal_m);

@@ -34,6 +34,7 @@ void SimulatedBench::read(drivers::JointSample& sample) {
     if (mistake_.reports_torque) {
       sample.effort[i] = mistake_.torque_scale[i] * written_.effort[i];
       sample.effort_known |= 1U << i;
+      sample.effort_is_new |= 1U << i;
     }
   }
 }

@@ -89,6 +89,7 @@ void read_state(const telemetry::Record& stored, TelemetryRecord& record) {
   record.limited_source = static_cast<firmware::EnergySource>(stored.limited_source());
   record.state_hash = stored.state_hash();
   record.effort_known = stored.effort_known();
+  record.effort_is_new = stored.effort_is_new();
   record.fault_joint = stored.fault_joint();
   record.short_of_goal_m = stored.short_of_goal_m();
   record.fault_device = stored.fault_device();

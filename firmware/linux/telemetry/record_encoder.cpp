@@ -73,6 +73,7 @@ void add_state(telemetry::RecordBuilder& table, const TelemetryRecord& record) {
   table.add_limited_source(stored_enum<telemetry::EnergySource>(record.limited_source));
   table.add_state_hash(record.state_hash);
   table.add_effort_known(record.effort_known);
+  table.add_effort_is_new(record.effort_is_new);
   table.add_fault_joint(record.fault_joint);
   table.add_short_of_goal_m(record.short_of_goal_m);
   table.add_fault_device(record.fault_device);

@@ -117,6 +117,14 @@ TEST_P(ODriveReference, MeasuredTorqueReachesTheJoint) {
   joint->ticks(40);
   EXPECT_EQ(joint->sample().effort_known, 1U);
   EXPECT_NEAR(joint->sample().effort[0], 0.5, 1e-6);
+  int measured = 0;
+  for (int tick = 0; tick < 100; ++tick) {
+    joint->ticks(1);
+    measured += joint->sample().effort_is_new != 0 ? 1 : 0;
+  }
+  // It is asked every 10 ms, and firmware 0.5 for its current beside that.
+  EXPECT_GE(measured, 10);
+  EXPECT_LE(measured, 11);
   joint->command() = {.power_off = true};
   joint->ticks(5);
   EXPECT_EQ(joint->sample().effort_known, 0U);

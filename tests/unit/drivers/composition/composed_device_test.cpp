@@ -245,6 +245,17 @@ TEST_F(TwoBoards, MeasuredTorqueIsAnEffortThroughTheGearWhereItIsKnown) {
   EXPECT_EQ(sample.effort[1], 0.0);
 }
 
+TEST_F(TwoBoards, AMeasuredTorqueIsNewInTheSampleAfterItCame) {
+  home();
+  drives.samples[0].has_torque = true;
+  drives.samples[0].torque_time_ns = 5;
+  EXPECT_EQ(read().effort_is_new, 1U);
+  EXPECT_EQ(read().effort_is_new, 0U);
+  EXPECT_EQ(read().effort_known, 1U);
+  drives.samples[0].torque_time_ns = 6;
+  EXPECT_EQ(read().effort_is_new, 1U);
+}
+
 TEST_F(TwoBoards, PowerGoesOffForAFaultOfTheControllerAndOfTheDevice) {
   home();
   (void)device.write({});

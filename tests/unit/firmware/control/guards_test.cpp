@@ -75,6 +75,7 @@ TEST_F(GuardsTest, TheToolAndTheMotorsAreCheckedTogether) {
   const Vec3 no_force = Vec3::Zero();
   held_[1] = 5.0;
   sample_.effort_known = 0b010;
+  sample_.effort_is_new = 0b010;
   sample_.effort[1] = -5.0;
   std::uint64_t seen = kNoFault;
   for (int tick = 0; tick < 100; ++tick) {

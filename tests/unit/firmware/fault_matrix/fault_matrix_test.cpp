@@ -102,6 +102,7 @@ void feed(FaultyRig& rig, int tick) {
 void measure_another_effort(FaultyRig& rig, int /*tick*/) {
   rig.device.sample.effort[1] = -2.0;
   rig.device.sample.effort_known = 0b010;
+  rig.device.sample.effort_is_new = 0b010;
 }
 
 constexpr LoopReport kLateReport{.status = kLoopLate, .missed_ticks = 0};

@@ -25,6 +25,7 @@ class ScriptedDevice {
     if (measures_effort && sample.effort_known == 0) {
       out.effort = written.effort;
       out.effort_known = 0b111;
+      out.effort_is_new = 0b111;
     }
   }
   std::uint32_t write(const drivers::JointCommand& command) {

@@ -2,8 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
+#include <numeric>
+#include <random>
 
 #include "firmware/safety/faults.h"
 
@@ -18,13 +22,14 @@ class EffortGuardTest : public ::testing::Test {
     pose_.status = kPoseGood;
   }
 
-  // The first tick in which a drive that measures `gain` times the commanded 5 N of joint 1 is
-  // found, or 0.
-  int found_after(double gain, std::uint32_t known) {
+  // The first tick in which a drive that measures `gain` times the commanded 5 N of joint 1, every
+  // `period` ticks, is found, or 0.
+  int found_after(double gain, std::uint32_t known, int period = 1) {
     drivers::JointSample sample;
     sample.effort_known = known;
     for (int tick = 1; tick <= 2000; ++tick) {
       sample.effort[1] = gain * 5.0;
+      sample.effort_is_new = tick % period == 0 ? known : 0;
       last_ = guard_.check(sample, pose_, {0.0, 5.0, 0.0});
       if (last_.faults != kNoFault) {
         return tick;
@@ -81,15 +86,72 @@ TEST_F(EffortGuardTest, ADriveThatMeasuresNothingOrNearlyRightIsLeftAlone) {
   }
 }
 
-TEST_F(EffortGuardTest, ADelayOfThreeTicksBehindStepsIsNoMismatch) {
+TEST_F(EffortGuardTest, ADriveThatMeasuresSeldomIsFoundWithItsSecondWrongMeasurement) {
+  EXPECT_EQ(found_after(-1.0, 0b010, 10), 20);
+  guard_.rest();
+  EXPECT_EQ(found_after(-1.0, 0b010, 500), 1000);
+  guard_.rest();
+  EXPECT_EQ(found_after(1.0, 0b010, 500), 0);
+}
+
+TEST_F(EffortGuardTest, AMeasurementCountsOnce) {
+  drivers::JointSample sample;
+  sample.effort_known = 0b010;
+  sample.effort[1] = -5.0;
+  for (int tick = 1; tick <= 2000; ++tick) {
+    sample.effort_is_new = tick == 100 ? 0b010 : 0;
+    EXPECT_EQ(guard_.check(sample, pose_, {0.0, 5.0, 0.0}).faults, kNoFault) << tick;
+  }
+}
+
+// Drives at fault-free work: each measures with its own period the mean of the torque over its own
+// time, its own time ago. The commands are the hardest that there are: from limit to limit, for
+// random times.
+TEST_F(EffortGuardTest, AMeasurementThatIsLateOrSmoothedIsNoMismatch) {
+  std::mt19937 random(7);
+  for (const double rate_hz : {100.0, 500.0, 1000.0, 4000.0}) {
+    for (const double delay_s : {0.0, 0.004}) {
+      ControllerConfig config = cartesian_config();
+      config.rate_hz = rate_hz;
+      config.safety.device_delay_s = delay_s;
+      guard_.configure(config);
+      const int latest = 2 + static_cast<int>((0.005 + delay_s) * rate_hz);
+      const int first = static_cast<int>(random() % static_cast<unsigned>(latest));
+      const int last = latest - 1;
+      const int period = 1 + static_cast<int>(random() % 50U);
+      std::array<double, 64> held{};
+      double command = 10.0;
+      for (int tick = 0; tick < 20'000; ++tick) {
+        command = random() % 12U == 0 ? -command : command;
+        std::shift_right(held.begin(), held.end(), 1);
+        held.front() = command;
+        drivers::JointSample sample;
+        sample.effort_known = 0b001;
+        if (tick % period == 0) {
+          sample.effort_is_new = 0b001;
+          sample.effort[0] = std::accumulate(held.begin() + first, held.begin() + last + 1, 0.0) /
+                             (last - first + 1);
+        }
+        ASSERT_EQ(guard_.check(sample, pose_, {command, 0.0, 0.0}).faults, kNoFault)
+            << tick << ", " << rate_hz << " Hz";
+      }
+    }
+  }
+}
+
+TEST_F(EffortGuardTest, EffortsThatAreHeldWhileNoSampleComesCountToo) {
   drivers::JointSample sample;
   sample.effort_known = 0b001;
-  std::array<double, 3> late{};
-  for (int tick = 0; tick < 4000; ++tick) {
-    const double commanded = tick % 80 < 40 ? 4.0 : -4.0;
-    sample.effort[0] = late[0];
-    EXPECT_EQ(guard_.check(sample, pose_, {commanded, 0.0, 0.0}).faults, kNoFault) << tick;
-    late = {late[1], late[2], commanded};
+  sample.effort_is_new = 0b001;
+  for (int tick = 0; tick < 2000; ++tick) {
+    // Two of the four ticks of each command have no sample that may be used.
+    const double command = tick % 8 < 4 ? 8.0 : -8.0;
+    if (tick % 4 < 2) {
+      guard_.pass({command, 0.0, 0.0});
+      sample.effort[0] = command;
+    } else {
+      EXPECT_EQ(guard_.check(sample, pose_, {-command, 0.0, 0.0}).faults, kNoFault) << tick;
+    }
   }
 }
 

@@ -80,7 +80,10 @@ TEST(StateHash, TakesMeasuredEffortsOnceADriveMeasures) {
   const std::uint64_t known = state_hash(record, 0);
   EXPECT_NE(known, state_hash(TelemetryRecord{}, 0));
   record.joint_measured[1] = 2.0;
-  EXPECT_NE(state_hash(record, 0), known);
+  const std::uint64_t other = state_hash(record, 0);
+  EXPECT_NE(other, known);
+  record.effort_is_new = 0b010;
+  EXPECT_NE(state_hash(record, 0), other);
 }
 
 TEST(StateHash, ChainsFromTheTickBefore) {

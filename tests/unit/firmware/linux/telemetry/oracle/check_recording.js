@@ -45,8 +45,8 @@ function columnsOf(message) {
   for (const name of [
     "tick", "time_s", "faults", "limits", "device_status", "sample_age_us", "loop_status",
     "missed_ticks", "touch_flags", "object", "sub_goals", "planes", "contact", "friction",
-    "depth_m", "state_hash", "dropped", "limited_source", "effort_known", "fault_joint",
-    "fault_device", "short_of_goal_m",
+    "depth_m", "state_hash", "dropped", "limited_source", "effort_known", "effort_is_new",
+    "fault_joint", "fault_device", "short_of_goal_m",
   ]) {
     put(name, message[name]);
   }
