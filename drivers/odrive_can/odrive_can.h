@@ -115,7 +115,6 @@ class ODriveCan {
   struct Heard {
     hal::TimeNs heartbeat_ns = 0;
     hal::TimeNs estimate_ns = 0;
-    hal::TimeNs torque_ns = 0;
   };
 
   // The questions that are asked in turn.

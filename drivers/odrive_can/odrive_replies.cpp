@@ -110,7 +110,6 @@ void ODriveCan::take_torque(double torque_Nm, hal::TimeNs time_ns) {
     sample_.torque_Nm = torque_Nm;
     sample_.has_torque = true;
     sample_.torque_time_ns = time_ns;
-    heard_.torque_ns = time_ns;
   }
 }
 

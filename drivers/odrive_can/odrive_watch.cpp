@@ -75,7 +75,7 @@ void ODriveCan::watch_samples(hal::TimeNs now_ns) {
   }
   const double torque_holds_s =
       std::max(kTorqueHolds_s, kTorqueHolds_periods * config_.torque_period_s);
-  if (has_passed(torque_holds_s, heard_.torque_ns, now_ns)) {
+  if (has_passed(torque_holds_s, sample_.torque_time_ns, now_ns)) {
     sample_.has_torque = false;
   }
 }

@@ -65,14 +65,10 @@ void EffortGuard::rest() {
   span_ticks_ = 0;
 }
 
-void EffortGuard::pass(const JointEfforts& held) {
-  take_held(held);
-}
-
 EffortFinding EffortGuard::check(const drivers::JointSample& sample, const Pose& pose,
                                  const JointEfforts& held) {
   EffortFinding found;
-  take_held(held);
+  pass(held);
   for (std::size_t i = 0; i < joint_count_; ++i) {
     std::uint64_t faults = kNoFault;
     const double lever = pose.jacobian_D.col(static_cast<Eigen::Index>(i)).norm();
@@ -110,7 +106,7 @@ bool EffortGuard::is_driven_against(Joint& joint, double force_N, double speed_m
   return joint.growth > kGrowth;
 }
 
-void EffortGuard::take_held(const JointEfforts& held) {
+void EffortGuard::pass(const JointEfforts& held) {
   const bool begins_span = span_ticks_ == late_ticks_;
   span_ticks_ = begins_span ? 1 : span_ticks_ + 1;
   for (std::size_t i = 0; i < joint_count_; ++i) {

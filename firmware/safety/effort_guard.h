@@ -59,7 +59,7 @@ class EffortGuard {
   EffortFinding check(const drivers::JointSample& sample, const Pose& pose,
                       const JointEfforts& held);
 
-  // Replaces check() in a tick without a sample that may be used.
+  // Takes the efforts of a tick without a sample that may be used, in place of check().
   void pass(const JointEfforts& held);
 
   // Writes its memory to the archive, or reads it back.
@@ -98,10 +98,8 @@ class EffortGuard {
 
   // Takes the joint's effort and speed at the tool. Returns true if its motor is reversed.
   bool is_driven_against(Joint& joint, double force_N, double speed_m_per_s) const;
-  // Takes the efforts that the motors have held since the last tick.
-  void take_held(const JointEfforts& held);
-  // Takes the effort that the joint's drive has measured, N or N m, after take_held(). Returns true
-  // if it and those before it have been too far off for long enough.
+  // Takes the effort that the joint's drive has measured, N or N m, after pass(). Returns true if
+  // it and those before it have been too far off for long enough.
   bool is_mismatched(Joint& joint, double held, double measured) const;
 
   std::array<Joint, kJointCount> joints_{};

@@ -89,6 +89,22 @@ TEST_F(GuardsTest, TheToolAndTheMotorsAreCheckedTogether) {
   EXPECT_TRUE(modes_.has_raised(kFaultOverspeed));
 }
 
+// The drive measures, late, what the motors held while no sample came.
+TEST_F(GuardsTest, EffortsThatAreHeldWhileNoSampleComesCountForTheMeasurements) {
+  const Vec3 no_force = Vec3::Zero();
+  sample_.effort_known = 0b010;
+  sample_.effort_is_new = 0b010;
+  sample_.effort[1] = 5.0;
+  for (int tick = 0; tick < 100; ++tick) {
+    const bool is_stale = tick % 2 == 0;
+    held_[1] = is_stale ? 5.0 : -5.0;
+    modes_.begin_tick();
+    modes_.raise(is_stale ? kLimitStaleSample : kNoFault);
+    guards_.check_tool(inputs(), {.pose = pose_, .tool = {}, .held_W = no_force}, modes_);
+    EXPECT_EQ(modes_.raised() & kFaultMask, kNoFault) << tick;
+  }
+}
+
 TEST_F(GuardsTest, TheSignCheckIsReportedUntilAllMotorsHaveAnswered) {
   const Vec3 no_force = Vec3::Zero();
   guards_.configure(cartesian_config());

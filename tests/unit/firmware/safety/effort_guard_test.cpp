@@ -139,19 +139,16 @@ TEST_F(EffortGuardTest, AMeasurementThatIsLateOrSmoothedIsNoMismatch) {
   }
 }
 
-TEST_F(EffortGuardTest, EffortsThatAreHeldWhileNoSampleComesCountToo) {
+TEST_F(EffortGuardTest, ADelayOfThreeTicksBehindStepsIsNoMismatch) {
   drivers::JointSample sample;
   sample.effort_known = 0b001;
   sample.effort_is_new = 0b001;
-  for (int tick = 0; tick < 2000; ++tick) {
-    // Two of the four ticks of each command have no sample that may be used.
-    const double command = tick % 8 < 4 ? 8.0 : -8.0;
-    if (tick % 4 < 2) {
-      guard_.pass({command, 0.0, 0.0});
-      sample.effort[0] = command;
-    } else {
-      EXPECT_EQ(guard_.check(sample, pose_, {-command, 0.0, 0.0}).faults, kNoFault) << tick;
-    }
+  std::array<double, 3> late{};
+  for (int tick = 0; tick < 4000; ++tick) {
+    const double commanded = tick % 80 < 40 ? 4.0 : -4.0;
+    sample.effort[0] = late[0];
+    EXPECT_EQ(guard_.check(sample, pose_, {commanded, 0.0, 0.0}).faults, kNoFault) << tick;
+    late = {late[1], late[2], commanded};
   }
 }
 
