@@ -123,7 +123,7 @@ TEST_F(EffortGuardTest, AMeasurementThatIsLateOrSmoothedIsNoMismatch) {
       double command = 10.0;
       for (int tick = 0; tick < 20'000; ++tick) {
         command = random() % 12U == 0 ? -command : command;
-        std::shift_right(held.begin(), held.end(), 1);
+        std::ranges::rotate(held, held.end() - 1);
         held.front() = command;
         drivers::JointSample sample;
         sample.effort_known = 0b001;
