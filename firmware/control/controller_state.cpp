@@ -11,8 +11,8 @@ namespace {
 
 using rendering::StateArchive;
 
-// The bytes "TACTUS08" with which a state begins. A change of the format gets another last digit.
-constexpr std::uint64_t kMagic = 0x3830'5355'5443'4154U;
+// The bytes "TACTUS09" with which a state begins. A change of the format gets another last digit.
+constexpr std::uint64_t kMagic = 0x3930'5355'5443'4154U;
 
 }  // namespace
 

@@ -14,15 +14,17 @@ namespace {
 
 // Weighs the pushes of surfaces of different stiffness, and with them their friction circles.
 void weigh_by_stiffness(const SceneObjects& scene, const ProxyRest& rest,
-                        const std::array<double, 3>& stiffness_N_per_m, ActiveConstraints& active) {
-  active.stiffness_N_per_m = corner_spring(rest, stiffness_N_per_m).stiffness_N_per_m;
+                        const std::array<PlaneSpring, 3>& springs, ActiveConstraints& active) {
+  active.stiffness_N_per_m = corner_spring(rest, springs).stiffness_N_per_m;
   active.circle = {};
   if (!(active.stiffness_N_per_m > 0.0)) {
     active.push_m = {};  // it is rounded to nothing
     return;
   }
   for (std::size_t i = 0; i < rest.plane_count; ++i) {
-    active.push_m[i] *= stiffness_N_per_m[i] / active.stiffness_N_per_m;
+    const double secant_N_per_m =
+        springs[i].stiffness_N_per_m + springs[i].rise_N / rest.pressure_m[i];
+    active.push_m[i] *= secant_N_per_m / active.stiffness_N_per_m;
     active.circle.add(scene.material(rest.planes[i].object).friction, active.push_m[i]);
   }
 }
@@ -30,16 +32,16 @@ void weigh_by_stiffness(const SceneObjects& scene, const ProxyRest& rest,
 }  // namespace
 
 ActiveConstraints find_active_constraints(const SceneObjects& scene, const FrictionFactors& factors,
-                                          const Vec3& p, const Vec3& h, ContactPlanes& planes,
-                                          ProxyRest& rest) {
-  ActiveConstraints active{.projection = planes.project(p, h)};
+                                          const ProxyState& state, const Vec3& h,
+                                          ContactPlanes& planes, ProxyRest& rest) {
+  ActiveConstraints active{.projection = planes.project(state.p_W, h)};
   const PlaneProjection& projection = active.projection;
   rest.plane_count = projection.active_count;
   rest.normal_W = Vec3::Zero();
   if (projection.active_count == 0) {
     return active;
   }
-  std::array<double, 3> stiffness_N_per_m{};
+  std::array<PlaneSpring, 3> springs{};
   double total = 0.0;
   bool are_alike = true;
   for (std::size_t i = 0; i < projection.active_count; ++i) {
@@ -49,17 +51,18 @@ ActiveConstraints find_active_constraints(const SceneObjects& scene, const Frict
     rest.planes[i] = contact;
     rest.pressure_m[i] = pressure;
     rest.normal_W += pressure * contact.plane.normal;
-    stiffness_N_per_m[i] = material.stiffness_N_per_m;
-    are_alike = are_alike && stiffness_N_per_m[i] == stiffness_N_per_m[0];
+    springs[i] = state.unpressed.spring(contact, pressure, material.stiffness_N_per_m);
+    are_alike = are_alike && springs[i].rise_N == 0.0 &&
+                springs[i].stiffness_N_per_m == springs[0].stiffness_N_per_m;
     total += pressure;
     active.push_m[i] = factors.of(contact.object) * pressure;
     active.circle.add(material.friction, active.push_m[i]);
     active.are_cones = active.are_cones && is_plain_cone(material);
   }
   rest.normal_W.normalize();
-  active.stiffness_N_per_m = stiffness_N_per_m[0];
+  active.stiffness_N_per_m = springs[0].stiffness_N_per_m;
   if (!are_alike) {
-    weigh_by_stiffness(scene, rest, stiffness_N_per_m, active);
+    weigh_by_stiffness(scene, rest, springs, active);
   }
   // Shading has lifted the goal toward the proxy, so the pressures are those of a shallower tool.
   // The friction is that of the tool's real depth.

@@ -8,6 +8,7 @@
 #include "rendering/contact/contact_planes.h"
 #include "rendering/contact/last_contact.h"
 #include "rendering/contact/proxy_rest.h"
+#include "rendering/contact/proxy_state.h"
 #include "rendering/friction/cone.h"
 #include "rendering/geometry/plane_projection.h"
 #include "rendering/objects/scene_objects.h"
@@ -21,7 +22,7 @@ struct ActiveConstraints {
   // The spring between tool and proxy (corner_spring.h), N/m.
   double stiffness_N_per_m = 0.0;
   // The normal force of each active plane that friction sees, over that stiffness, m: its pressure
-  // times its friction factor, and times its own stiffness over that of the spring.
+  // times its friction factor, and times the force of its own spring over that of the joint one.
   std::array<double, 3> push_m{};
   // The sum of the friction circles of the active planes, each of the radius mu times its push, m.
   FrictionCircle circle;
@@ -29,11 +30,11 @@ struct ActiveConstraints {
   bool are_cones = true;
 };
 
-// Projects the tool `h` on the planes at the proxy `p` (world frame, m), and writes the planes that
+// Projects the tool `h` (world frame, m) on the planes at the proxy, and writes the planes that
 // hold it, their pressures and their joint normal to `rest`.
 ActiveConstraints find_active_constraints(const SceneObjects& scene, const FrictionFactors& factors,
-                                          const Vec3& p, const Vec3& h, ContactPlanes& planes,
-                                          ProxyRest& rest);
+                                          const ProxyState& state, const Vec3& h,
+                                          ContactPlanes& planes, ProxyRest& rest);
 
 // Returns the contact of `rest` with the largest pressure, by which objects that move carry the
 // proxy in the next tick; none if no plane pushes.

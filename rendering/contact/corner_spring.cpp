@@ -1,42 +1,16 @@
-// With the dual basis m_i of the normals, m_i . n_j = 1 for i = j and 0 otherwise, the gradient is
+// With the dual basis m_i of the normals and the rise r_i of plane i's force, the gradient is
 //
-//   dK/ds = sum_i dK/dpressure_i m_i = 2 sum_i pressure_i (K_i - K) m_i / (sum_j pressure_j^2)
+//   dK/ds = sum_i dK/dpressure_i m_i
+//         = 2 sum_i (pressure_i (K_i - K) + r_i) m_i / (sum_j pressure_j^2)
 #include "rendering/contact/corner_spring.h"
 
 #include <algorithm>
 
-#include <Eigen/Geometry>
-
+#include "rendering/contact/dual_basis.h"
 #include "rendering/geometry/tangential.h"
 
 namespace tactus::rendering {
 namespace {
-
-// Normals with a smaller squared sine between them, or a smaller squared volume around them, count
-// as parallel: the second part of the force would be lessened to nothing.
-constexpr double kNearlyParallel = 1e-6;
-
-using DualBasis = std::array<Vec3, 3>;
-
-// Returns the dual basis of two normals, in their plane; zeros if they are parallel.
-DualBasis dual_of_two(const Vec3& n0, const Vec3& n1) {
-  const double cosine = n0.dot(n1);
-  const double squared_sine = 1.0 - cosine * cosine;
-  if (squared_sine < kNearlyParallel) {
-    return {Vec3::Zero(), Vec3::Zero(), Vec3::Zero()};
-  }
-  return {(n0 - cosine * n1) / squared_sine, (n1 - cosine * n0) / squared_sine, Vec3::Zero()};
-}
-
-// Returns the dual basis of three normals; zeros if they lie in one plane.
-DualBasis dual_of_three(const Vec3& n0, const Vec3& n1, const Vec3& n2) {
-  const Vec3 m0 = n1.cross(n2);
-  const double volume = n0.dot(m0);
-  if (volume * volume < kNearlyParallel) {
-    return {Vec3::Zero(), Vec3::Zero(), Vec3::Zero()};
-  }
-  return {m0 / volume, n2.cross(n0) / volume, n0.cross(n1) / volume};
-}
 
 // Returns the largest cosine between two of the normals.
 double largest_cosine(const ProxyRest& rest) {
@@ -66,58 +40,64 @@ double share_of_sideways(const ProxyRest& rest, const DualBasis& dual, double so
   return std::min({1.0, at_softest, apart * apart * apart / (by_lag * by_lag)});
 }
 
+// Returns the length of the stretch along the one plane or both, m.
+double lag_m(const ProxyRest& rest, const Vec3& stretch_W) {
+  const Vec3& n = rest.planes[0].plane.normal;
+  return rest.plane_count == 1 ? (stretch_W - n.dot(stretch_W) * n).norm()
+                               : crease_between(n, rest.planes[1].plane.normal).dot(stretch_W);
+}
+
 // Returns the square of the lag, in lengths of the stretch over the planes. Between three planes
 // there is none. Where force shading has lifted the goal toward the proxy, the pressures are those
 // of a shallower tool, and the lag is to be shallower with them.
 double squared_lag(const ProxyRest& rest, const Vec3& stretch_W) {
   const double depth = stretch_W.dot(rest.normal_W);
-  if (rest.plane_count != 2 || !(depth > 0.0)) {
+  if (rest.plane_count == 3 || !(depth > 0.0)) {
     return 0.0;
   }
-  const Vec3 crease = crease_between(rest.planes[0].plane.normal, rest.planes[1].plane.normal);
-  const double lag = crease.dot(stretch_W) / depth;
+  const double lag = lag_m(rest, stretch_W) / depth;
   return std::min(lag * lag, kMostLag * kMostLag);
 }
 
 }  // namespace
 
-CornerSpring corner_spring(const ProxyRest& rest, const std::array<double, 3>& stiffness_N_per_m,
+CornerSpring corner_spring(const ProxyRest& rest, const std::array<PlaneSpring, 3>& springs,
                            const Vec3& stretch_W) {
   CornerSpring spring;
   if (rest.plane_count == 0) {
     return spring;
   }
-  const auto* const end = stiffness_N_per_m.begin() + rest.plane_count;
-  const auto [softest, hardest] = std::minmax_element(stiffness_N_per_m.begin(), end);
-  spring.stiffness_N_per_m = *hardest;
-  if (*softest == *hardest) {
-    return spring;
-  }
+  double softest = springs[0].stiffness_N_per_m;
+  double hardest = softest;
   double squares = 0.0;
   double weighted = 0.0;
+  bool rises = false;
   for (std::size_t i = 0; i < rest.plane_count; ++i) {
     const double square = rest.pressure_m[i] * rest.pressure_m[i];
     squares += square;
-    weighted += square * stiffness_N_per_m[i];
+    weighted += square * springs[i].stiffness_N_per_m;
+    softest = std::min(softest, springs[i].stiffness_N_per_m);
+    hardest = std::max(hardest, springs[i].stiffness_N_per_m);
+    rises = rises || springs[i].rise_N != 0.0;
   }
-  if (!(squares > 0.0)) {
+  spring.stiffness_N_per_m = hardest;
+  if ((softest == hardest && !rises) || !(squares > 0.0)) {
     return spring;
   }
   spring.stiffness_N_per_m = weighted / squares;
-  const auto& planes = rest.planes;
-  const DualBasis dual =
-      rest.plane_count == 2
-          ? dual_of_two(planes[0].plane.normal, planes[1].plane.normal)
-          : dual_of_three(planes[0].plane.normal, planes[1].plane.normal, planes[2].plane.normal);
+  const DualBasis dual = dual_basis(rest);
   Vec3 over_planes = Vec3::Zero();
   for (std::size_t i = 0; i < rest.plane_count; ++i) {
     const double pressure = rest.pressure_m[i];
-    over_planes += pressure * planes[i].plane.normal;
-    spring.sideways_W += pressure * (stiffness_N_per_m[i] - spring.stiffness_N_per_m) * dual[i];
+    over_planes += pressure * rest.planes[i].plane.normal;
+    spring.sideways_W +=
+        (pressure * (springs[i].stiffness_N_per_m - spring.stiffness_N_per_m) + springs[i].rise_N) *
+        dual[i];
   }
   const double by_lag = 1.0 + squared_lag(rest, stretch_W);
-  spring.sideways_W *= share_of_sideways(rest, dual, *softest, *hardest, by_lag) * by_lag *
-                       over_planes.squaredNorm() / squares;
+  const double share =
+      softest == hardest ? 1.0 : share_of_sideways(rest, dual, softest, hardest, by_lag);
+  spring.sideways_W *= share * by_lag * over_planes.squaredNorm() / squares;
   return spring;
 }
 

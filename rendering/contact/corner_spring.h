@@ -13,7 +13,10 @@
 //
 //   F = dV/ds = K s + 1/2 s^2 dK/ds
 //
-// Its second part pushes across s, toward the softer surface: the tool's energy is less there.
+// A plane whose spring is not linear (unpressed_depth.h) has the K_i of the linear spring with the
+// same energy, 1/2 K_i pressure_i^2; dK/ds has the rest of its force.
+//
+// The second part pushes across s, toward the softer surface: the tool's energy is less there.
 // Between normals that are nearly parallel, or nearly opposite, it would make the corner stiffer
 // than any device can hold, the more the longer the lag is. It is lessened there, so that it adds
 // no more than about the hardest surface's stiffness; a closed path can then give out energy.
@@ -25,6 +28,7 @@
 #include <array>
 
 #include "rendering/contact/proxy_rest.h"
+#include "rendering/contact/unpressed_depth.h"
 #include "rendering/geometry/vector.h"
 
 namespace tactus::rendering {
@@ -40,10 +44,10 @@ struct CornerSpring {
   Vec3 sideways_W = Vec3::Zero();
 };
 
-// Returns the spring of the active planes; stiffness_N_per_m[i] is that of plane i. `stretch_W` is
+// Returns the spring of the active planes; springs[i] is that of plane i. `stretch_W` is
 // the vector from the tool to the proxy, m, which has the lag; without it there is none. A lag
 // counts up to kMostLag times the stretch over the planes.
-CornerSpring corner_spring(const ProxyRest& rest, const std::array<double, 3>& stiffness_N_per_m,
+CornerSpring corner_spring(const ProxyRest& rest, const std::array<PlaneSpring, 3>& springs,
                            const Vec3& stretch_W = Vec3::Zero());
 
 }  // namespace tactus::rendering

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "rendering/contact/last_contact.h"
+#include "rendering/contact/unpressed_depth.h"
 #include "rendering/friction/joint_friction.h"
 #include "rendering/geometry/vector.h"
 #include "rendering/touch.h"
@@ -21,6 +22,7 @@ struct ProxyState {
   LastContact last_contact;
   // All contacts. A proxy with friction keeps their planes.
   HeldBy held_by;
+  UnpressedDepths unpressed;
   // True if the last tick ended where the tool and friction want the proxy; and the goal for which
   // it came there, world frame, m.
   bool is_settled = false;

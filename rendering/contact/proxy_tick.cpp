@@ -150,7 +150,7 @@ Next ProxyTick<Watch>::gather() {
   if (gathering == Gathering::begun) {
     end_short_of(tick_.h_W);
     // The planes that held the proxy before give the force.
-    find_active_constraints(near_.scene, tick_.factors, state.p_W, tick_.h_W, planes, rest);
+    find_active_constraints(near_.scene, tick_.factors, state, tick_.h_W, planes, rest);
     return Next::end;
   }
   rest.flags |= kTouchCandidatesOverflow;

@@ -13,6 +13,7 @@ void SphereProxy::place(const Vec3& p_W) {
   state_ = {.p_W = p_W};
   carried_W_ = Vec3::Zero();
   turned_W_ = Mat3::Identity();
+  tool_step_W_ = Vec3::Zero();
   planes_.clear();
   just_placed_ = true;
   candidate_set_.start_over();
@@ -64,7 +65,8 @@ void SphereProxy::turn_with_contact(const SceneObjects& scene) {
 void SphereProxy::begin_friction(const Vec3& from_W, const Vec3& to_W, double tick_s) {
   const Vec3 stretch_W = from_W - (state_.p_W - carried_W_);
   const Vec3 turned_W = turned_W_ * stretch_W - stretch_W;
-  state_.models.begin_tick(to_W - from_W - carried_W_ - turned_W, tick_s);
+  tool_step_W_ = to_W - from_W;
+  state_.models.begin_tick(tool_step_W_ - carried_W_ - turned_W, tick_s);
   carried_W_ = Vec3::Zero();
   turned_W_ = Mat3::Identity();
 }
@@ -98,6 +100,7 @@ ProxyRest SphereProxy::approach(const SceneObjects& scene, const Vec3& h_W, Watc
     keep_last_contact(scene, state_.last_contact, state_.p_W, h_W, rest);
   }
   state_.last_contact = hardest_contact(rest);
+  state_.unpressed.end_tick(scene, rest, {.p_W = state_.p_W, .tool_step_W = tool_step_W_});
   state_.held_by = holding_surfaces(rest);
   rest.flags |= candidate_set_.left_out().any() ? kTouchOverlap : kTouchClean;
   return rest;

@@ -70,6 +70,8 @@ class SphereProxy {
 
   // Returns the proxy's centre; world frame, m.
   [[nodiscard]] const Vec3& position_W() const { return state_.p_W; }
+  // Returns the memory of the surfaces that the last advance reached without the hand's work.
+  [[nodiscard]] const UnpressedDepths& unpressed() const { return state_.unpressed; }
   // Returns the friction state after the last advance.
   [[nodiscard]] FrictionState friction() const { return state_.friction; }
   // Returns true if no surface held the proxy in the last advance.
@@ -100,6 +102,8 @@ class SphereProxy {
   ProxyState start_;
   // The displacement by objects that moved, since the last begin_friction; world frame, m.
   Vec3 carried_W_ = Vec3::Zero();
+  // The tool's motion in this tick; world frame, m.
+  Vec3 tool_step_W_ = Vec3::Zero();
   // The rotation of the objects that carried it, since then.
   Mat3 turned_W_ = Mat3::Identity();
   FrictionFactors factors_;

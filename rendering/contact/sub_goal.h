@@ -49,7 +49,7 @@ inline SubGoal SubGoalChooser::choose(const ProxyMove& tick, const MovingProxy& 
   const Vec3& p = state.p_W;
   const Vec3& h = tick.h_W;
   const ActiveConstraints active =
-      find_active_constraints(near.scene, tick.factors, p, h, planes, rest);
+      find_active_constraints(near.scene, tick.factors, state, h, planes, rest);
   if (active.projection.active_count == 0) {
     const bool arrived = (h - p).squaredNorm() <= 0.0;
     if (arrived) {

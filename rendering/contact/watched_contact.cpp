@@ -48,8 +48,9 @@ WatchedConstraints constraints_of(const WatchedSubGoal& sub_goal) {
   const Vec3& p_W = sub_goal.proxy.state.p_W;
   WatchedConstraints found{.planes = sub_goal.proxy.planes};
   ProxyRest rest;
-  found.active = find_active_constraints(sub_goal.tick.near.scene, sub_goal.tick.factors, p_W,
-                                         sub_goal.tick.h_W, found.planes, rest);
+  found.active =
+      find_active_constraints(sub_goal.tick.near.scene, sub_goal.tick.factors, sub_goal.proxy.state,
+                              sub_goal.tick.h_W, found.planes, rest);
   const auto& [projection, stiffness, push_m, circle, are_cones] = found.active;
   if (projection.active_count > 0 && are_cones) {
     const Vec3 from = projection.feasible ? found.planes.resting_position(p_W) : p_W;

@@ -3,6 +3,8 @@
 // The candidate set is saved and not gathered again: the capsule's position decides where moves are
 // cut, so another one would give other sub-goals. The candidates' numbers and tangents are saved;
 // triangles and distances follow from the scene.
+#include <span>
+
 #include "rendering/contact/candidate_set.h"
 #include "rendering/contact/sphere_proxy.h"
 #include "rendering/state/plain_states.h"
@@ -30,6 +32,18 @@ void ContactPlanes::transfer(StateArchive& archive, const SceneObjects& scene, b
   }
   if (archive.is_reading()) {
     count = kept;
+  }
+}
+
+void UnpressedDepths::transfer(StateArchive& archive, const SceneObjects& scene) {
+  auto& [planes, count, only_object] = *this;
+  archive(only_object);
+  archive.require(only_object == kNoObject || only_object < scene.size());
+  archive.up_to(count, planes.size());
+  for (Plane& plane : std::span(planes).first(count)) {
+    auto& [object, normal_W, pressure_m, depth_m, softer_N_per_m, dual_W] = plane;
+    archive(object, normal_W, pressure_m, depth_m, softer_N_per_m, dual_W);
+    archive.require(object < scene.size());
   }
 }
 
@@ -142,12 +156,13 @@ void CandidateSet::transfer_candidate(StateArchive& archive, const SceneObjects&
   }
 }
 
-// `start` is set by the next advance, so it is not saved.
+// `start` and the tool's step are set by the next tick, so they are not saved.
 void SphereProxy::transfer(StateArchive& archive, const SceneObjects& scene) {
-  [[maybe_unused]] auto& [margins, state, start, carried_W, turned_W, factors, just_placed,
-                          candidate_set, planes] = *this;
-  auto& [p_W, friction, model, last_contact, held_by, is_settled, settled_for_W] = state;
+  [[maybe_unused]] auto& [margins, state, start, carried_W, tool_step_W, turned_W, factors,
+                          just_placed, candidate_set, planes] = *this;
+  auto& [p_W, friction, model, last_contact, held_by, unpressed, is_settled, settled_for_W] = state;
   archive(p_W, model, is_settled, settled_for_W, carried_W, turned_W, factors, just_placed);
+  unpressed.transfer(archive, scene);
   archive.choice(friction, FrictionState::slip);
   auto& [object, triangle, normal_W] = last_contact;
   archive(object, triangle, normal_W);

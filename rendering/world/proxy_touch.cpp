@@ -152,8 +152,8 @@ ProxyTouch::BlendedSurface ProxyTouch::blend_surfaces(const SceneObjects& scene,
   here_.count = 0;
   BlendedSurface blended;
   double height = 0.0;
-  std::array<double, 3> stiffness_N_per_m{};
-  std::array<double, 3> plain_N_per_m{};
+  std::array<PlaneSpring, 3> springs{};
+  std::array<PlaneSpring, 3> plain_springs{};
   for (std::size_t i = 0; i < rest.plane_count; ++i) {
     const ContactPlane& plane = rest.planes[i];
     const Object& object = scene[plane.object];
@@ -163,8 +163,8 @@ ProxyTouch::BlendedSurface ProxyTouch::blend_surfaces(const SceneObjects& scene,
     const Vec3 surface_v = scene.velocity_W(plane.object, proxy_.position_W());
     blended.surface_v_W += push * surface_v;
     blended.damping_W += push * material.damping_Ns_per_m * (tool.v_W - surface_v);
-    plain_N_per_m[i] = material.stiffness_N_per_m;
-    stiffness_N_per_m[i] = material.stiffness_N_per_m;
+    springs[i] = proxy_.unpressed().spring(plane, push, material.stiffness_N_per_m);
+    plain_springs[i] = springs[i];
     if (object.detail.empty()) {
       continue;
     }
@@ -172,7 +172,8 @@ ProxyTouch::BlendedSurface ProxyTouch::blend_surfaces(const SceneObjects& scene,
     const Detail detail = detail_of(scene, plane);
     blended.detailed = true;
     blended.interpolated = blended.interpolated || !object.detail.corner_normals.empty();
-    stiffness_N_per_m[i] *= detail.stiffness_factor;
+    springs[i].stiffness_N_per_m *= detail.stiffness_factor;
+    springs[i].rise_N *= detail.stiffness_factor;
     blended.lean += push * lean_of(detail.normal_O, plane.plane.normal);
     height += push * detail.height_m;
     blended.friction.object[blended.friction.count] = plane.object;
@@ -182,11 +183,11 @@ ProxyTouch::BlendedSurface ProxyTouch::blend_surfaces(const SceneObjects& scene,
     return blended;
   }
   const Vec3 stretch_W = proxy_.position_W() - tool.p_W;
-  blended.spring = corner_spring(rest, stiffness_N_per_m, stretch_W);
+  blended.spring = corner_spring(rest, springs, stretch_W);
   blended.depth_m = stretch_W.dot(rest.normal_W);
   blended.effective_depth_m = blended.depth_m;
   if (blended.detailed) {
-    blended.plain_spring = corner_spring(rest, plain_N_per_m, stretch_W);
+    blended.plain_spring = corner_spring(rest, plain_springs, stretch_W);
     blended.effective_depth_m = std::max(blended.depth_m + height / blended.pressure_m, 0.0);
     // The force's magnitude is that of the effective depth, so lean and friction are scaled to it.
     const double share = blended.depth_m > 0.0 ? blended.effective_depth_m / blended.depth_m : 0.0;

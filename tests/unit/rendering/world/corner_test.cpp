@@ -3,6 +3,7 @@
 // the path, and differences of the potential.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <memory>
@@ -211,6 +212,15 @@ Vec3 stretch_over(ProxyRest& rest) {
   return stretch;
 }
 
+// Returns the springs of surfaces that the hand has pressed all along.
+std::array<PlaneSpring, 3> linear(const std::array<double, 3>& stiffness_N_per_m) {
+  std::array<PlaneSpring, 3> springs{};
+  std::ranges::transform(stiffness_N_per_m, springs.begin(), [](double stiffness) {
+    return PlaneSpring{.stiffness_N_per_m = stiffness};
+  });
+  return springs;
+}
+
 TEST(CornerSpring, IsTheGradientOfThePotential) {
   std::mt19937 random(1);
   std::uniform_real_distribution<double> any(0.0, 1.0);
@@ -243,7 +253,7 @@ TEST(CornerSpring, IsTheGradientOfThePotential) {
     const bool lags = rest.plane_count == 2 && cosines.maxCoeff() < 0.2;
     const double lag_m = lags ? any(random) * over_planes.norm() : 0.0;
     const Vec3 stretch = over_planes + lag_m * normals.col(2);
-    const CornerSpring spring = corner_spring(rest, stiffness, stretch);
+    const CornerSpring spring = corner_spring(rest, linear(stiffness), stretch);
     const Vec3 force = spring.stiffness_N_per_m * stretch + spring.sideways_W;
     if (lags) {
       ASSERT_NEAR(spring.sideways_W.dot(normals.col(2)), 0.0, 1e-12) << "across the crease";
@@ -275,7 +285,7 @@ void expect_about_twice_as_stiff(double lag) {
       rest.planes[0].plane.normal = n0;
       rest.planes[1].plane.normal = n1;
       const Vec3 stretch = stretch_over(rest) + lag * Vec3::UnitZ();
-      const CornerSpring spring = corner_spring(rest, {kHard, 200.0, 0.0}, stretch);
+      const CornerSpring spring = corner_spring(rest, linear({kHard, 200.0, 0.0}), stretch);
       EXPECT_TRUE(spring.sideways_W.allFinite());
       return Vec3{spring.stiffness_N_per_m * stretch + spring.sideways_W};
     };

@@ -28,7 +28,7 @@ class FrictionHoldTest : public ::testing::Test {
     testing::add_plane(planes_, {.plane = {.normal = normal, .offset = 0.0}}, rest_.flags);
   }
   ActiveConstraints project(const Vec3& h) {
-    return find_active_constraints(*scene_, factors_, state_.p_W, h, planes_, rest_);
+    return find_active_constraints(*scene_, factors_, state_, h, planes_, rest_);
   }
   HeldGoal hold(const Vec3& h) {
     const ActiveConstraints active = project(h);
