@@ -1,6 +1,7 @@
-# tactus_library(NAME [CONTROLLER] SOURCES file... [HEADERS file...] [DEPENDS target...] [PRIVATE_DEPENDS target...])
+# tactus_library(NAME [CONTROLLER] [SMALL] SOURCES file... [HEADERS file...] [DEPENDS target...] [PRIVATE_DEPENDS target...])
 #   One target of the house: library tactus_NAME with the alias tactus::NAME. CONTROLLER marks code that runs in the
-#   controller: no exceptions, no run-time type information. A library without sources is an INTERFACE library.
+#   controller: no exceptions, no run-time type information. SMALL marks code that mostly works before the first tick, which a
+#   toolchain may compile for size (TACTUS_SMALL_OPTIONS). A library without sources is an INTERFACE library.
 #   A library outside of host_tools/ and tests/ is installed.
 # tactus_program(NAME SOURCES file... DEPENDS target...)
 #   A host program, put in <build>/bin.
@@ -26,7 +27,7 @@ set(TACTUS_CONTROLLER_OPTIONS -fno-exceptions -fno-rtti)
 set(TACTUS_FUZZ_OPTIONS -fsanitize=fuzzer-no-link,null,object-size,pointer-overflow)
 
 function(tactus_library name)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "CONTROLLER" "" "SOURCES;HEADERS;DEPENDS;PRIVATE_DEPENDS")
+  cmake_parse_arguments(PARSE_ARGV 1 arg "CONTROLLER;SMALL" "" "SOURCES;HEADERS;DEPENDS;PRIVATE_DEPENDS")
   set(target tactus_${name})
   if(arg_SOURCES)
     add_library(${target} STATIC ${arg_SOURCES} ${arg_HEADERS})
@@ -34,6 +35,9 @@ function(tactus_library name)
     target_compile_options(${target} PRIVATE ${TACTUS_WARNINGS})
     if(arg_CONTROLLER)
       target_compile_options(${target} PRIVATE ${TACTUS_CONTROLLER_OPTIONS})
+    endif()
+    if(arg_SMALL)
+      target_compile_options(${target} PRIVATE ${TACTUS_SMALL_OPTIONS})
     endif()
     if(TACTUS_FUZZ AND arg_CONTROLLER)
       target_compile_options(${target} PRIVATE ${TACTUS_FUZZ_OPTIONS})

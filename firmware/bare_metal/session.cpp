@@ -1,0 +1,67 @@
+#include "firmware/bare_metal/session.h"
+
+#include <array>
+#include <bit>
+#include <string_view>
+
+#include "rendering/scene/image_format.h"
+
+namespace tactus::firmware {
+namespace {
+
+constexpr std::array<std::string_view, 4> kContactNames = {"none", "face", "edge", "vertex"};
+
+// Returns the checksum in the header of an image; 0 if it has none.
+std::uint64_t checksum_of(std::span<const std::byte> image) {
+  rendering::ImageHeader header;
+  if (image.size() < sizeof header) {
+    return 0;
+  }
+  std::memcpy(&header, image.data(), sizeof header);
+  return header.checksum;
+}
+
+}  // namespace
+
+Request next_request(Mode mode) {
+  switch (mode) {
+    case Mode::init:
+      return Request::home;
+    case Mode::ready:
+      return Request::enable;
+    default:
+      return Request::none;
+  }
+}
+
+bool is_line_due(const TelemetryRecord& record) {
+  return (record.tick + 1) % kTicksPerLine == 0;
+}
+
+Line tick_line(const TelemetryRecord& record) {
+  Line line;
+  line.add("tick").add(record.tick + 1).add(" hash").add_hex(record.state_hash);
+  line.add(" mode ").add(kModeNames[static_cast<std::size_t>(record.mode)]);
+  line.add(" touch ").add(kContactNames[static_cast<std::size_t>(record.contact)]);
+  line.add(" flagged").add(std::uint64_t{record.counters.touch_flagged});
+  return line;
+}
+
+Line fault_line(const TelemetryRecord& record, std::uint64_t new_faults) {
+  const auto first = static_cast<FaultBits>(1ULL << std::countr_zero(new_faults));
+  Line line;
+  line.add("fault").add(static_cast<std::uint64_t>(fault_code(first)));
+  line.add(" ").add(fault_name(first)).add(" tick").add(record.tick + 1);
+  if (record.fault_joint != 0) {
+    line.add(" joint").add(std::uint64_t{record.fault_joint});
+  }
+  return line;
+}
+
+Line image_line(std::span<const std::byte> device, std::span<const std::byte> scene) {
+  Line line;
+  line.add("device").add_hex(checksum_of(device)).add(", scene").add_hex(checksum_of(scene));
+  return line;
+}
+
+}  // namespace tactus::firmware

@@ -1,0 +1,16 @@
+// The stop of a program on a bare board: from a handler, or where it cannot go on.
+#pragma once
+
+#include <cstdint>
+#include <string_view>
+
+#include "hal/bare_metal/stop_code.h"
+
+namespace tactus::firmware {
+
+// Takes the motors' power, latches the code, tells it with `words`, and never returns: the
+// watchdog, if it runs, restarts the board, which then tells the code again. `address` is that of
+// the interrupted instruction, 0 if it is not known. It may be called from any handler.
+[[noreturn]] void stop(hal::StopCode code, std::uint32_t address = 0, std::string_view words = {});
+
+}  // namespace tactus::firmware

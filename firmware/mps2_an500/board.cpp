@@ -1,0 +1,120 @@
+// The functions of hal/bare_metal/board.h for the board MPS2 with the FPGA image AN500.
+#include "hal/bare_metal/board.h"
+
+#include <cstddef>
+#include <cstdint>
+
+#include "firmware/mps2_an500/memory_map.h"
+#include "firmware/mps2_an500/registers.h"
+
+extern "C" void tick_handler();
+
+namespace tactus::mps2_an500 {
+namespace {
+
+// The periods that have ended since start_ticks, and the counts of one.
+volatile std::uint32_t ended_periods = 0;
+std::uint32_t period_counts = 0;
+std::uint32_t seen_periods = 0;
+
+constexpr std::uint32_t kNsPerCount = 1'000'000'000 / kClock_Hz;
+constexpr std::uint32_t kCountsPerUs = kClock_Hz / 1'000'000;
+
+}  // namespace
+}  // namespace tactus::mps2_an500
+
+using tactus::mps2_an500::reg;
+
+void tick_handler() {
+  tactus::mps2_an500::ended_periods = tactus::mps2_an500::ended_periods + 1;
+}
+
+namespace tactus::hal {
+
+using namespace mps2_an500;  // NOLINT(google-build-using-namespace)
+
+void motors_off() {
+  reg(kLamps) = 0;
+}
+
+void motors_on() {
+  reg(kLamps) = kMotorLamp;
+}
+
+void start_ticks(std::uint32_t rate_hz) {
+  period_counts = kClock_Hz / rate_hz;
+  reg(kTickReload) = period_counts - 1;
+  reg(kTickValue) = 0;
+  reg(kTickControl) = kTickRuns;
+}
+
+std::uint32_t wait_for_tick() {
+  // With interrupts masked one that comes between the look and the sleep still ends the sleep.
+  for (;;) {
+    asm volatile("cpsid i" ::: "memory");
+    const bool has_ended = ended_periods != seen_periods;
+    if (!has_ended) {
+      asm volatile("wfi" ::: "memory");
+    }
+    asm volatile("cpsie i\n isb" ::: "memory");
+    if (has_ended) {
+      const std::uint32_t now = ended_periods;
+      const std::uint32_t ended = now - seen_periods;
+      seen_periods = now;
+      return ended;
+    }
+  }
+}
+
+std::uint64_t now_ns() {
+  for (;;) {
+    const std::uint32_t before = ended_periods;
+    const std::uint32_t left = reg(kTickValue);
+    if (before == ended_periods) {
+      const std::uint64_t counts = std::uint64_t{before} * period_counts + (period_counts - left);
+      return counts * kNsPerCount;
+    }
+  }
+}
+
+void start_watchdog(std::uint32_t timeout_us) {
+  reg(kWatchdogLock) = kWatchdogKey;
+  reg(kWatchdogLoad) = timeout_us * kCountsPerUs;
+  reg(kWatchdogControl) = kWatchdogInterrupts | kWatchdogResets;
+  reg(kWatchdogClear) = 1;
+}
+
+void feed_watchdog() {
+  reg(kWatchdogClear) = 1;
+}
+
+bool put_char(char character) {
+  reg(kUartDivider) = kClock_Hz / 115'200;
+  reg(kUartControl) = kUartTransmits;
+  if ((reg(kUartState) & kUartIsFull) != 0) {
+    return false;
+  }
+  reg(kUartData) = static_cast<unsigned char>(character);
+  return true;
+}
+
+LatchedStop& latched_stop() {
+  return ::latched_stop;
+}
+
+std::span<const std::uint32_t> stack_memory() {
+  return {&stack_begin, &stack_end};
+}
+
+BoardImages images() {
+  return {.device = {&device_image_begin, &device_image_end},
+          .scene = {&scene_image_begin, &scene_image_end}};
+}
+
+void halt() {
+  for (;;) {
+    asm volatile("wfi");
+  }
+}
+
+}  // namespace tactus::hal

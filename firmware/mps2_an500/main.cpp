@@ -1,0 +1,20 @@
+// The program of the board: a simulated device in the hand of a simulated user.
+#include "firmware/bare_metal/board_loop.h"
+#include "firmware/bare_metal/held_handle.h"
+#include "firmware/bare_metal/loaded_controller.h"
+
+extern "C" [[noreturn]] void run_program();
+
+namespace {
+
+tactus::firmware::LoadedController loaded;
+tactus::firmware::HeldHandle device;
+
+}  // namespace
+
+void run_program() {
+  tactus::firmware::begin("mps2_an500");
+  tactus::firmware::start_or_stop(loaded);
+  device.start(loaded.device());
+  tactus::firmware::run_for_ever(loaded, device);
+}
