@@ -41,6 +41,11 @@ Line stop_line(std::string_view verb, const hal::LatchedStop& stop) {
 
 void stop(hal::StopCode code, std::uint32_t address, std::string_view words) {
   hal::motors_off();
+  // The watchdog interrupts a stop, too, since nothing feeds it any more: only the first stop is
+  // told.
+  if (hal::latched_code(hal::latched_stop()) != hal::StopCode::none) {
+    hal::halt();
+  }
   hal::latch(code, address, hal::latched_stop());
   hal::start_watchdog(kTelling_us);
   Line line = stop_line("stop", hal::latched_stop());
