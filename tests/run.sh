@@ -14,6 +14,7 @@ all_stages=(
   "tsan              threads.sh"
   "aarch64           build_and_test.sh aarch64 test_programs replay_recording tactusd"
   "cortex-m7         build.sh cortex-m7"
+  "m7-image          m7_image.sh"
   "fuzz              fuzz.sh"
   "rig               rig.sh"
   "same-bits         same_bits.sh"

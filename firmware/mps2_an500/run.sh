@@ -43,8 +43,12 @@ case "$fault" in
   *) echo "run.sh: --fault $fault: there are corrupted_image, stack_overflow, hung_tick and nan_sample" >&2 && exit 2 ;;
 esac
 
-work="$(mktemp -d)"
-trap 'rm -rf "$work"' EXIT
+work="$(mktemp -d)" qemu=""
+end() {
+  if [[ -n "$qemu" ]]; then kill "$qemu" 2>/dev/null || true; fi
+  rm -rf "$work"
+}
+trap end EXIT
 programs=build/cortex-m7/bin images=build/cortex-m7/images
 
 # A step says nothing unless it fails.
@@ -80,7 +84,8 @@ if [[ -n "$trace" ]]; then
   options+=(-d int -trace mps2_fpgaio_write -trace cmsdk_apb_uart_tx -D "$trace")
 fi
 mkfifo "$work/uart"
-timeout 900 qemu-system-arm "${options[@]}" </dev/null >"$work/uart" 2>"$work/errors" &
+# A minute, and as long as a machine takes that is thirty times as slow as the one of the figures.
+timeout $((60 + ticks / 200)) qemu-system-arm "${options[@]}" </dev/null >"$work/uart" 2>"$work/errors" &
 qemu=$!
 
 # The program never ends by itself: QEMU is stopped at the line that was waited for.
@@ -95,6 +100,7 @@ while [[ -z "$is_complete" ]] && IFS= read -r line; do
 done <"$work/uart"
 kill "$qemu" 2>/dev/null || true
 wait "$qemu" 2>/dev/null || true
+qemu=""
 if [[ "$is_complete" != 1 ]]; then
   cat "$work/errors" >&2
   echo "run.sh: the program has stopped, or QEMU has, before the line that was waited for" >&2
