@@ -13,17 +13,7 @@ namespace tactus::firmware {
 class LineQueue {
  public:
   // Adds a line and its end.
-  void push(std::string_view line) {
-    if (line.size() + 2 > room_.size() - size_) {
-      ++dropped_;
-      return;
-    }
-    for (const char character : line) {
-      push_char(character);
-    }
-    push_char('\r');
-    push_char('\n');
-  }
+  void push(std::string_view line);
 
   // Gives characters to `put` until it returns false or none is left.
   template <class Put>
@@ -38,10 +28,7 @@ class LineQueue {
   [[nodiscard]] std::uint32_t dropped() const { return dropped_; }
 
  private:
-  void push_char(char character) {
-    room_[(first_ + size_) % room_.size()] = character;
-    ++size_;
-  }
+  void push_char(char character);
 
   std::array<char, 1024> room_{};
   std::size_t first_ = 0;
