@@ -23,8 +23,6 @@ constexpr std::uint32_t kCountsPerUs = kClock_Hz / 1'000'000;
 }  // namespace
 }  // namespace tactus::mps2_an500
 
-using tactus::mps2_an500::reg;
-
 void tick_handler() {
   tactus::mps2_an500::ended_periods = tactus::mps2_an500::ended_periods + 1;
 }

@@ -30,6 +30,6 @@ extern std::uint32_t data_begin;
 extern std::uint32_t data_end;
 extern std::uint32_t bss_begin;
 extern std::uint32_t bss_end;
-extern void (*const init_array_begin)();
-extern void (*const init_array_end)();
+extern void (*init_array_begin)();
+extern void (*init_array_end)();
 }

@@ -4,6 +4,7 @@
 #include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <cstdlib>
 #include <span>
 
 #include "firmware/bare_metal/stop.h"
@@ -18,9 +19,8 @@ extern "C" {
 void fault_handler();
 void tick_handler();
 
-// What the compiler calls where a function without a body is called, or nothing can be.
-[[noreturn]] void __cxa_pure_virtual();  // NOLINT(bugprone-reserved-identifier)
-[[noreturn]] void abort();
+// The compiler calls it where a function without a body is called.
+[[noreturn]] void __cxa_pure_virtual();  // NOLINT(readability-identifier-naming)
 }
 
 namespace tactus::mps2_an500 {
@@ -46,7 +46,7 @@ constexpr auto handlers() {
   return all;
 }
 
-[[gnu::section(".vectors"), gnu::used]] const VectorTable vector_table{.stack = &handler_stack_end,
+[[gnu::section(".vectors"), gnu::used]] const VectorTable kVectorTable{.stack = &handler_stack_end,
                                                                        .reset = reset_handler,
                                                                        .handlers = handlers(),
                                                                        .last = fault_handler};
@@ -68,7 +68,7 @@ void protect(std::uint32_t number, const void* base, std::size_t bytes, std::uin
 // A region with a higher number wins where two overlap.
 void protect_memory() {
   reg(kHandlerControl) = kOwnHandlers;
-  protect(0, &vector_table, kFlashBytes, kReadOnly);
+  protect(0, &kVectorTable, kFlashBytes, kReadOnly);
   protect(1, &device_image_begin, kImagesBytes, kReadOnly | kNever);
   protect(2, &guard_begin, kRamBytes, kReadWrite | kNever);
   protect(3, &guard_begin, kGuardBytes, kNoAccess | kNever);
@@ -135,6 +135,7 @@ void __cxa_pure_virtual() {
   tactus::firmware::stop(tactus::hal::StopCode::broken_invariant);
 }
 
+// The compiler calls it where nothing can be.
 void abort() {
   tactus::firmware::stop(tactus::hal::StopCode::broken_invariant);
 }

@@ -22,3 +22,4 @@ units() {
 }
 
 units | xargs -d '\n' -n 1 -P "$(nproc)" tests/checks/tidy_unit.sh -p=build/tidy -quiet
+tests/checks/tidy_bare_metal.sh
