@@ -38,7 +38,7 @@ void HeldHandle::start(const DeviceConfig& device) {
 }
 
 Vec3 HeldHandle::wish_D(std::uint64_t tick) const {
-  const Vec3 stroke_D = origin_D_ + stroke_W(tick);
+  Vec3 stroke_D = origin_D_ + stroke_W(tick);
   if (tick >= kTicksToStroke) {
     return stroke_D;
   }

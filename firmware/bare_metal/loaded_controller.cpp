@@ -43,13 +43,13 @@ std::expected<void, StartRefusal> LoadedController::read_device(std::span<const 
   return {};
 }
 
-std::expected<void, StartRefusal> LoadedController::open_scene(std::span<const std::byte> image) {
+std::expected<const rendering::SceneImage*, StartRefusal> LoadedController::open_scene(
+    std::span<const std::byte> image) {
   auto opened = rendering::SceneImage::open(image);
   if (!opened) {
     return refused(hal::StopCode::scene_image, rendering::describe(opened.error().fault));
   }
-  scene_.emplace(*std::move(opened));
-  return {};
+  return &scene_.emplace(*std::move(opened));
 }
 
 std::expected<void, StartRefusal> LoadedController::start(std::span<const std::byte> device_image,
@@ -57,14 +57,16 @@ std::expected<void, StartRefusal> LoadedController::start(std::span<const std::b
   if (auto read = read_device(device_image); !read) {
     return read;
   }
-  if (auto opened = open_scene(scene_image); !opened) {
-    return opened;
+  const auto scene = open_scene(scene_image);
+  if (!scene) {
+    return std::unexpected(scene.error());
   }
   std::construct_at(&room_.controller);
   if (const auto configured = room_.controller.configure(device_.controller); !configured) {
     return refused(hal::StopCode::configuration, configured.error().field);
   }
-  const auto loaded = room_.controller.load_scene(scene_->objects(), rendering::world_of(*scene_));
+  const auto loaded =
+      room_.controller.load_scene((*scene)->objects(), rendering::world_of(**scene));
   if (!loaded) {
     return refused(hal::StopCode::scene, words_of(loaded.error().fault));
   }

@@ -43,7 +43,8 @@ class LoadedController {
 
  private:
   std::expected<void, StartRefusal> read_device(std::span<const std::byte> image);
-  std::expected<void, StartRefusal> open_scene(std::span<const std::byte> image);
+  std::expected<const rendering::SceneImage*, StartRefusal> open_scene(
+      std::span<const std::byte> image);
 
   // The sections of a device image take 43 kB while they are read. The controller comes into being
   // after that, in the same memory.
