@@ -85,6 +85,13 @@ awk -F, -v file="$figures" '
   END { exit bad }' "$figures" "$work/figures" || result=1
 verdict "the figures are within 2 % of $figures" "$result"
 
+# 400,000 instructions of 2 ns each.
+budget_ns=800000
+worst_ns="$(told worst_ns)"
+result=0
+if [[ -z "$worst_ns" || "$worst_ns" -gt "$budget_ns" ]]; then result=1; fi
+verdict "the longest tick, ${worst_ns:-unknown} ns, is within its budget of $budget_ns ns" "$result"
+
 # Prints what happened in QEMU's trace, in the order of time: restarts, exceptions but for the tick's, changes of the motors' power, and
 # a line of text where its first character is sent. Left out are the lines of ticks before a fault, and exceptions after a stop, where
 # the watchdog may come once more.
