@@ -8,6 +8,7 @@
 
 #include "drivers/falcon_usb/falcon.h"
 #include "host_tools/doctor/checks.h"
+#include "host_tools/doctor/raspberry_pi.h"
 
 namespace tactus::host {
 
@@ -104,9 +105,11 @@ Finding judge_named_chip(Machine& machine, const std::string& named) {
 
 // Judges whether this user may take a PWM output, which begins with a write to `export`.
 Finding judge_pwm(Machine& machine, const std::string& folder) {
-  return judge_access(machine, "PWM", folder + "/export", folder,
-                      "ls /sys/class/pwm   # those there are; enable one in the board's device "
-                      "tree");
+  return judge_access(
+      machine, "PWM", folder + "/export", folder,
+      is_raspberry_pi(machine)
+          ? add_firmware_line("dtoverlay=pwm-2chan") + "   # pins 18 and 19"
+          : "ls /sys/class/pwm   # those there are; enable one in the board's device tree");
 }
 
 // Judges whether this user may start the kernel's counter for an encoder.

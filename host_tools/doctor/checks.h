@@ -42,6 +42,11 @@ void check_compaction(Machine& machine, Findings& findings);
 // Advises against swap.
 void check_swap(Machine& machine, Findings& findings);
 
+// power_checks.cpp: the board's supply.
+//
+// Reports a low voltage, where the board measures it.
+void check_power(Machine& machine, Findings& findings);
+
 // tick_checks.cpp: the time of a tick.
 //
 // Reports whether this processor carries out the instructions that a tick may take within the
@@ -56,8 +61,14 @@ void check_motors(Machine& machine, const Needs& needs, Findings& findings);
 // can_checks.cpp: the CAN interfaces.
 //
 // Reports whether the interfaces that the device needs are present, of type CAN, up, with a bit
-// rate and without errors. Without a named device it looks at all that are there.
+// rate and without errors, and how busy the device's frames keep them. Without a named device it
+// looks at all that are there.
 void check_can(Machine& machine, const Needs& needs, Findings& findings);
+// can_controller_checks.cpp: the controllers behind them.
+//
+// Reports controllers that delay an answer, sample data bits too coarsely, are read too slowly over
+// SPI, or keep too few frames.
+void check_can_controllers(Machine& machine, const Needs& needs, Findings& findings);
 // board_checks.cpp: the other connections: present and open to this user. Without a named device
 // they look at everything that is plugged in.
 //

@@ -18,9 +18,11 @@ constexpr std::array kMachineChecks{
     check_group,        check_cpu_latency,         check_frequency_governor,
     check_clock_source, check_isolated_processors, check_real_time_throttling,
     check_huge_pages,   check_compaction,          check_swap,
+    check_power,
 };
-constexpr std::array kDeviceChecks{check_tick_budget, check_motors,       check_can,
-                                   check_falcon,      check_serial_ports, check_gpio};
+constexpr std::array kDeviceChecks{
+    check_tick_budget, check_motors,       check_can, check_can_controllers,
+    check_falcon,      check_serial_ports, check_gpio};
 
 const char* state_name(FindingState state) {
   switch (state) {

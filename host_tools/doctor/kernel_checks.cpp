@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "host_tools/doctor/checks.h"
+#include "host_tools/doctor/raspberry_pi.h"
 #include "host_tools/install_command.h"
 
 namespace tactus::host {
@@ -21,16 +22,25 @@ std::string release_in(const std::string& version) {
              : version;
 }
 
-// Returns Debian's package of the real-time kernel for this machine. Old kernels do not tell their
-// architecture in /proc/sys/kernel/arch; their release often does.
-std::string real_time_kernel_for(std::string_view release, std::string_view architecture) {
+// Returns the command that installs a real-time kernel for this machine. Old kernels do not tell
+// their architecture in /proc/sys/kernel/arch; their release often does.
+std::string install_real_time_kernel(Machine& machine, std::string_view release) {
+  const std::string architecture = machine.text("/proc/sys/kernel/arch").value_or("");
+  // Raspberry Pi OS has its own kernels. Their firmware starts the one that it is told.
+  if (release.contains("rpi") && architecture.starts_with("armv")) {
+    return "put the 64-bit Raspberry Pi OS on the card; a real-time kernel is in that one alone";
+  }
+  if (release.contains("rpi")) {
+    return fmt::format("{} && {}", install_command("linux-image-rpi-v8-rt"),
+                       add_firmware_line("kernel=kernel8_rt.img"));
+  }
+  std::string package = "linux-image-rt-amd64";
   if (architecture == "aarch64" || release.contains("arm64")) {
-    return "linux-image-rt-arm64";
+    package = "linux-image-rt-arm64";
+  } else if (architecture.starts_with("arm") || release.contains("armmp")) {
+    package = "linux-image-rt-armmp";
   }
-  if (architecture.starts_with("arm") || release.contains("armmp")) {
-    return "linux-image-rt-armmp";
-  }
-  return "linux-image-rt-amd64";
+  return install_command(package) + " && sudo reboot";
 }
 
 // Clock sources that are read from a register of the processor. Any other, such as hpet, is a
@@ -55,11 +65,9 @@ void check_kernel(Machine& machine, Findings& findings) {
     findings.push_back(well("kernel", release + ", PREEMPT_RT"));
     return;
   }
-  const std::string architecture = machine.text("/proc/sys/kernel/arch").value_or("");
-  findings.push_back(
-      {"kernel", FindingState::mend,
-       release + " without PREEMPT_RT: a tick may be milliseconds late",
-       install_command(real_time_kernel_for(release, architecture)) + " && sudo reboot"});
+  findings.push_back({"kernel", FindingState::mend,
+                      release + " without PREEMPT_RT: a tick may be milliseconds late",
+                      install_real_time_kernel(machine, release)});
 }
 
 void check_clock_source(Machine& machine, Findings& findings) {

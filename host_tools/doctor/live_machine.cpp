@@ -2,8 +2,12 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <linux/ethtool.h>
 #include <linux/gpio.h>
+#include <linux/sockios.h>
+#include <net/if.h>
 #include <sys/ioctl.h>
+#include <sys/socket.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -65,6 +69,24 @@ std::optional<std::string> live_ip_link(std::string_view interface) {
     text.append(buffer.data(), got);
   }
   return text.empty() ? std::nullopt : std::optional(text);
+}
+
+// Any socket serves to ask the kernel about an interface.
+std::optional<InterruptDelay> live_interrupt_delay(std::string_view interface) {
+  const hal::FileDescriptor any(::socket(AF_INET, SOCK_DGRAM | SOCK_CLOEXEC, 0));
+  ifreq request{};
+  if (!any.is_open() || interface.size() >= sizeof request.ifr_name) {
+    return std::nullopt;
+  }
+  std::ranges::copy(interface, std::begin(request.ifr_name));
+  ethtool_coalesce delays{};
+  delays.cmd = ETHTOOL_GCOALESCE;
+  request.ifr_data = reinterpret_cast<char*>(&delays);
+  if (::ioctl(any.get(), SIOCETHTOOL, &request) != 0) {
+    return std::nullopt;
+  }
+  return InterruptDelay{.microseconds = delays.rx_coalesce_usecs_irq,
+                        .frames = delays.rx_max_coalesced_frames_irq};
 }
 
 }  // namespace tactus::host

@@ -6,6 +6,8 @@
 #include <string>
 #include <string_view>
 
+#include "host_tools/doctor/machine.h"
+
 namespace tactus::host {
 
 // Returns true if this process may write to `path`, by access(2), so that groups, capabilities and
@@ -19,5 +21,8 @@ std::optional<std::string> live_gpio_label(std::string_view chip);
 // Returns what `ip -details -json link show INTERFACE` prints; nothing if the program or the
 // interface is missing.
 std::optional<std::string> live_ip_link(std::string_view interface);
+
+// Returns the delay of an interface's interrupts; nothing if its driver has none to set.
+std::optional<InterruptDelay> live_interrupt_delay(std::string_view interface);
 
 }  // namespace tactus::host

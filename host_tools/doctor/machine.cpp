@@ -19,6 +19,7 @@ namespace {
 // The files of a recorded machine for what no file of /proc or /sys tells: a line for each.
 constexpr const char* kAccessFile = "tactus/access";
 constexpr const char* kGpioFile = "tactus/gpio_chips";
+constexpr const char* kInterruptFile = "tactus/interrupt_delays";
 constexpr const char* kUnitCostFile = "tactus/unit_cost_ns";
 
 // Returns the text without blanks and line ends at its end.
@@ -28,7 +29,7 @@ std::string without_end(std::string text) {
 }
 
 // Files of /proc and /sys have no size, so the stream is read to its end.
-std::optional<std::string> read_whole(const std::filesystem::path& path) {
+std::optional<std::string> read_bytes(const std::filesystem::path& path) {
   std::error_code ignored;
   if (std::filesystem::is_directory(path, ignored)) {
     return std::nullopt;
@@ -39,7 +40,12 @@ std::optional<std::string> read_whole(const std::filesystem::path& path) {
   }
   std::ostringstream text;
   text << file.rdbuf();
-  return without_end(std::move(text).str());
+  return std::move(text).str();
+}
+
+// Returns the text of a file without blanks and line ends at its end.
+std::optional<std::string> read_whole(const std::filesystem::path& path) {
+  return read_bytes(path).transform(without_end);
 }
 
 // Returns the path below the root of the tree.
@@ -145,6 +151,36 @@ std::optional<std::string> Machine::ip_link(std::string_view interface) {
   return found;
 }
 
+std::optional<InterruptDelay> Machine::interrupt_delay(std::string_view interface) {
+  if (!root_.empty()) {
+    std::istringstream numbers(recorded_line(kInterruptFile, interface, true).value_or(""));
+    InterruptDelay delay;
+    return numbers >> delay.microseconds >> delay.frames ? std::optional(delay) : std::nullopt;
+  }
+  const auto found = live_interrupt_delay(interface);
+  if (found) {
+    interrupt_delays_.insert_or_assign(std::string(interface), *found);
+  }
+  return found;
+}
+
+std::optional<std::uint32_t> Machine::device_tree_number(std::string_view path) {
+  constexpr std::size_t kBytes = 4;
+  auto bytes = read_bytes(root_.empty() ? std::filesystem::path(path) : below(root_, path));
+  if (!bytes || bytes->size() < kBytes) {
+    return std::nullopt;
+  }
+  bytes->resize(kBytes);
+  std::uint32_t number = 0;
+  for (const char byte : *bytes) {
+    number = number << 8U | static_cast<unsigned char>(byte);
+  }
+  if (root_.empty()) {
+    files_.insert_or_assign(std::string(path), *std::move(bytes));
+  }
+  return number;
+}
+
 std::optional<double> Machine::unit_cost_ns() {
   if (!root_.empty()) {
     double cost_ns = 0.0;
@@ -178,6 +214,11 @@ void Machine::save(const std::filesystem::path& folder) const {
       lines += fmt::format("{} {}\n", chip, label);
     }
     write_whole(folder / kGpioFile, without_end(lines));
+    lines.clear();
+    for (const auto& [interface, delay] : interrupt_delays_) {
+      lines += fmt::format("{} {} {}\n", interface, delay.microseconds, delay.frames);
+    }
+    write_whole(folder / kInterruptFile, without_end(lines));
   } catch (const std::filesystem::filesystem_error& error) {
     throw InputError(fmt::format("{}: cannot be written: {}; check the folder and its permissions",
                                  folder.string(), error.code().message()));

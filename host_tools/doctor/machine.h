@@ -8,9 +8,11 @@
 // - tactus/access: a line `w PATH` for what may be written to, `- PATH` for what may not.
 // - tactus/gpio_chips: a line `gpiochip0 LABEL` a chip.
 // - tactus/unit_cost_ns: the time of a cost unit of the rendering, ns (rendering/tick_budget.h).
+// - tactus/interrupt_delays: a line `can0 MICROSECONDS FRAMES` an interface.
 // - tactus/ip_link_can0.json: the output of `ip -details -json link show can0`.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <map>
 #include <optional>
@@ -19,6 +21,13 @@
 #include <vector>
 
 namespace tactus::host {
+
+// The delay of a network interface's interrupt: it comes when so many frames have come, or the time
+// since the first of them is over.
+struct InterruptDelay {
+  std::uint32_t microseconds = 0;
+  std::uint32_t frames = 0;
+};
 
 // Answers questions about a machine. One thread.
 class Machine {
@@ -39,6 +48,12 @@ class Machine {
   // Returns the JSON that `ip` prints for a network interface; nothing without `ip` or the
   // interface.
   std::optional<std::string> ip_link(std::string_view interface);
+  // Returns the delay of an interface's interrupts of received frames, as `ethtool -c` prints it
+  // (rx-usecs-irq and rx-frames-irq); nothing if its driver has none to set.
+  std::optional<InterruptDelay> interrupt_delay(std::string_view interface);
+  // Returns a number of the device tree, whose file is its four bytes, the highest first; nothing
+  // if there is no such file.
+  std::optional<std::uint32_t> device_tree_number(std::string_view path);
   // Returns the time that a cost unit of the rendering takes (rendering/tick_budget.h), ns; nothing
   // if a recorded machine does not say it. On this machine it takes a fraction of a second.
   std::optional<double> unit_cost_ns();
@@ -58,6 +73,7 @@ class Machine {
   std::map<std::string, std::string, std::less<>> files_;
   std::map<std::string, bool, std::less<>> writable_;
   std::map<std::string, std::string, std::less<>> gpio_labels_;
+  std::map<std::string, InterruptDelay, std::less<>> interrupt_delays_;
   // Entries of the folders that were listed; save() makes them, so that names() lists them again.
   std::vector<std::string> folders_;
 };

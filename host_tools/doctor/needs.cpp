@@ -3,9 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <span>
 #include <string>
 #include <variant>
+
+#include "firmware/device_file/bus_load.h"
 
 namespace tactus::host {
 
@@ -46,8 +49,11 @@ bool has_fd_drive(const firmware::DeviceConfig& config, std::size_t connection) 
 
 // These add what a connection of each kind needs. `fd` is true if a drive on it speaks CAN FD.
 void add_need(const drivers::CanConnection& can, bool fd, Needs& needs) {
-  needs.can.push_back(
-      {.interface = std::string(can.interface), .fd = fd, .set_up = set_up_words(can, fd)});
+  needs.can.push_back({.interface = std::string(can.interface),
+                       .fd = fd,
+                       .set_up = set_up_words(can, fd),
+                       .bitrate = std::llround(can.bit_rate),
+                       .data_bitrate = fd ? std::llround(can.data_bit_rate) : 0});
 }
 void add_need(const drivers::FalconConnection& /*falcon*/, bool /*fd*/, Needs& needs) {
   needs.falcon = true;
@@ -73,6 +79,9 @@ Needs needs_of(const firmware::DeviceConfig& config) {
   for (std::size_t i = 0; i < config.connection_count; ++i) {
     std::visit([&](const auto& line) { add_need(line, has_fd_drive(config, i), needs); },
                config.connections[i].line);
+    if (std::holds_alternative<drivers::CanConnection>(config.connections[i].line)) {
+      needs.can.back().load = firmware::bus_load(config, i);
+    }
   }
   return needs;
 }

@@ -2,6 +2,7 @@
 // configuration. The checks of the doctor compare them with the machine.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -19,6 +20,11 @@ struct CanNeed {
   bool fd = false;
   // The words that follow `ip link set can0 up type can` for the drives on it.
   std::string set_up;
+  // The bit rates that the device's file gives, bit/s; 0 if there is no device, or no CAN FD.
+  std::int64_t bitrate = 0;
+  std::int64_t data_bitrate = 0;
+  // The share of the bus' time that the frames of the device's drives take; 0 without a device.
+  double load = 0.0;
 };
 
 // The pins of a motor that the board drives itself.

@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "host_tools/doctor/checks.h"
+#include "host_tools/doctor/raspberry_pi.h"
 
 namespace tactus::host {
 
@@ -40,11 +41,14 @@ void check_isolated_processors(Machine& machine, Findings& findings) {
   } else if (last == 0) {
     findings.push_back(well(kCheck, "none; there is one processor"));
   } else {
+    const std::string words = fmt::format("isolcpus={0} nohz_full={0} rcu_nocbs={0}", last);
     findings.push_back(
         {kCheck, FindingState::advice, "none: other programs may run where the loop does",
-         fmt::format("add isolcpus={} nohz_full={} rcu_nocbs={} to GRUB_CMDLINE_LINUX in "
-                     "/etc/default/grub, then sudo update-grub && sudo reboot",
-                     last, last, last)});
+         is_raspberry_pi(machine)
+             ? add_kernel_words(words)
+             : fmt::format("add {} to GRUB_CMDLINE_LINUX in /etc/default/grub, then sudo "
+                           "update-grub && sudo reboot",
+                           words)});
   }
 }
 

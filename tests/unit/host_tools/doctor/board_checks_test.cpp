@@ -90,7 +90,26 @@ TEST(DoctorOfDevices, ADriveWithCanFdNeedsAnInterfaceWithIt) {
   board.write("sys/class/net/can0/mtu", "72\n");
   board.change(kLink, R"("clock")", R"("data_bittiming":{"bitrate":5000000},"clock")");
   EXPECT_EQ(board.finding("CAN can0", moteus).found,
-            "up, 1000 kbit/s, data 5000 kbit/s, ERROR-ACTIVE");
+            "up, 1000 kbit/s, data 5000 kbit/s, ERROR-ACTIVE, 87 % busy");
+}
+
+TEST(DoctorOfDevices, ABusTellsHowBusyTheFramesOfTheDeviceKeepIt) {
+  const RecordedMachine board;
+  Needs needs{.can = {{.interface = "can0", .set_up = "bitrate 1000000", .bitrate = 1'000'000}}};
+  needs.can[0].load = 0.42;
+  EXPECT_EQ(board.finding("CAN can0", needs).found, "up, 1000 kbit/s, ERROR-ACTIVE, 42 % busy");
+  EXPECT_GT(needs_of_example("odrive_arm").can[0].load, 0.1);
+}
+
+TEST(DoctorOfDevices, ABusWithAnotherRateThanTheDevicesFileIsToBeSetAnew) {
+  const RecordedMachine board;
+  board.change(kLink, "1000000", "500000");
+  const Needs needs{.can = {{.interface = "can0", .set_up = "bitrate 250000", .bitrate = 250'000}}};
+  const Finding finding = board.finding("CAN can0", needs);
+  expect_board_to_mend(finding, "sudo ip link set can0 up type can bitrate 250000");
+  EXPECT_TRUE(finding.found.contains("500 kbit/s")) << finding.found;
+  board.change(kLink, "500000", "250000");
+  EXPECT_EQ(board.finding("CAN can0", needs).state, FindingState::well) << "slow by choice";
 }
 
 TEST(DoctorOfDevices, ABusWithoutIpOrWithStrangeWordsOfItIsNotKnown) {
@@ -118,6 +137,16 @@ TEST(DoctorOfDevices, AnInterfaceThatIsMissingOrNoCanIsToBeMended) {
                             {.interface = "lo", .fd = false, .set_up = ""}}};
   EXPECT_EQ(board.finding("CAN can1", needs).found, "no such interface");
   EXPECT_EQ(board.finding("CAN lo", needs).found, "is no CAN interface");
+}
+
+TEST(DoctorOfDevices, ARaspberryPiWithoutItsHatOrPwmNeedsAnOverlay) {
+  const RecordedMachine board;
+  board.write("proc/device-tree/model", "Raspberry Pi 5 Model B Rev 1.0");
+  const Needs needs{
+      .can = {{.interface = "can1", .set_up = ""}},
+      .gpio = {{.chip = "/dev/gpiochip0", .pwm_folder = "/sys/class/pwm/pwmchip0", .counter = ""}}};
+  expect_board_to_mend(board.finding("CAN can1", needs), "dtoverlay=mcp251xfd,spi0-0,");
+  expect_board_to_mend(board.finding("PWM", needs), "dtoverlay=pwm-2chan");
 }
 
 TEST(DoctorOfDevices, AFalconThatMayNotBeUsedNeedsTheRules) {

@@ -34,6 +34,15 @@ TEST(Doctor, AKernelWithoutRealTimeIsToBeReplacedByTheOneForItsProcessor) {
   EXPECT_EQ(exit_code(board.examine()), 1);
 }
 
+TEST(Doctor, RaspberryPiOsHasARealTimeKernelOfItsOwn) {
+  const RecordedMachine board;
+  board.write("proc/version", "Linux version 6.12.25+rpt-rpi-v8 (serge@raspberrypi.com) #1 SMP\n");
+  expect_to_mend(board.finding("kernel"), "install linux-image-rpi-v8-rt");
+  expect_to_mend(board.finding("kernel"), "kernel=kernel8_rt.img");
+  board.write("proc/sys/kernel/arch", "armv7l\n");
+  expect_to_mend(board.finding("kernel"), "64-bit Raspberry Pi OS");
+}
+
 // 2 million instructions are 18,181 cost units.
 TEST(Doctor, ATickThatTheProcessorIsTooSlowForIsToBeMadeSmaller) {
   const RecordedMachine board;
@@ -124,6 +133,25 @@ TEST(Doctor, TheLastProcessorIsProposedForTheLoop) {
   EXPECT_TRUE(finding.remedy.contains("isolcpus=3 ")) << finding.remedy;
   board.write("sys/devices/system/cpu/online", "0\n");
   EXPECT_EQ(board.finding("isolated processors").state, FindingState::well);
+}
+
+TEST(Doctor, ARaspberryPiIsolatesItInTheFileOfItsFirmware) {
+  const RecordedMachine board;
+  board.write("sys/devices/system/cpu/isolated", "\n");
+  board.write("proc/device-tree/model", std::string("Raspberry Pi 4 Model B Rev 1.5") + '\0');
+  EXPECT_EQ(board.finding("isolated processors").remedy,
+            "sudo sed -i '1s/$/ isolcpus=3 nohz_full=3 rcu_nocbs=3/' /boot/firmware/cmdline.txt && "
+            "sudo reboot");
+}
+
+TEST(Doctor, ABoardThatMeasuresItsSupplyTellsLowVoltage) {
+  const RecordedMachine board;
+  board.write("sys/class/hwmon/hwmon0/name", "cpu_thermal\n");
+  board.write("sys/class/hwmon/hwmon1/name", "rpi_volt\n");
+  board.write("sys/class/hwmon/hwmon1/in0_lcrit_alarm", "0\n");
+  EXPECT_EQ(board.finding("power supply").state, FindingState::well);
+  board.write("sys/class/hwmon/hwmon1/in0_lcrit_alarm", "1\n");
+  expect_to_mend(board.finding("power supply"), "dmesg");
 }
 
 TEST(Doctor, ThrottlingMattersWhenItTakesTheUsualShare) {
