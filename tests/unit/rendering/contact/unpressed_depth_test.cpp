@@ -129,15 +129,15 @@ TEST_F(UnpressedDepth, IsNoneOnASurfaceThatBecomesStifferWithTime) {
   EXPECT_EQ(spring.rise_N, 0.0);
 }
 
-// Two faces of the hard plate's edge, one of them pressed three times as much.
+// Two faces of the hard plate's edge; the pressure of one of them grows without the hand.
 TEST_F(UnpressedDepth, KeepsTheFacesOfOneObjectApart) {
   const ContactPlane left = plane_of(kHardPlate, -Vec3::UnitX());
   const ContactPlane front = plane_of(kHardPlate, Vec3::UnitZ());
   const Vec3 step_W{0.001, 0.0, -0.003};
   end_tick({{plane_of(kSoftPlate), 0.002}}, Vec3::Zero());
   end_tick({{plane_of(kSoftPlate), 0.002}, {left, 0.001}, {front, 0.003}}, step_W);
-  end_tick({{plane_of(kSoftPlate), 0.002}, {left, 0.001}, {front, 0.003}}, Vec3::Zero());
-  EXPECT_NEAR(force_N(0.001, -Vec3::UnitX()), kHard_N_per_m * 0.001, 1e-12);
+  end_tick({{plane_of(kSoftPlate), 0.002}, {left, 0.002}, {front, 0.003}}, Vec3::Zero());
+  EXPECT_NEAR(force_N(0.002, -Vec3::UnitX()), kSoft_N_per_m * 0.001 + kHard_N_per_m * 0.001, 1e-12);
   EXPECT_NEAR(force_N(0.003, Vec3::UnitZ()), kHard_N_per_m * 0.003, 1e-12);
 }
 
