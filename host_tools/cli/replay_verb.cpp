@@ -9,13 +9,11 @@
 #include <memory>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "host_tools/cli/picture_option.h"
 #include "host_tools/cli/progress_line.h"
-#include "host_tools/explain/run_explanation.h"
-#include "host_tools/explain/tick_summary.h"
+#include "host_tools/cli/replay_explanation.h"
 #include "host_tools/files/output_place.h"
 #include "host_tools/input_error.h"
 #include "host_tools/plot/figures.h"
@@ -64,57 +62,6 @@ struct ReplayOptions {
   std::string csv;
   std::string picture;
   std::string explain;
-};
-
-// Explains the ticks of a replay, and compares them with the explanations that the recording has.
-class ReplayExplanation {
- public:
-  // Throws InputError if the file cannot be created.
-  ReplayExplanation(const std::string& file, firmware::Controller& controller, double tool_radius_m,
-                    Recording& recording)
-      : steps_(file, controller, tool_radius_m, nullptr), recording_(recording) {}
-
-  // Writes the tick that has been repeated, with the recorded times of its steps.
-  void add(const firmware::TelemetryRecord& record) {
-    while (!at_end_ && (!next_ || next_->tick < record.tick)) {
-      next_ = recording_.next_explanation();
-      at_end_ = !next_;
-    }
-    if (!next_ || next_->tick != record.tick) {
-      steps_.add(record);
-      return;
-    }
-    const firmware::Explanation here = steps_.add(record, next_->step_ns);
-    const std::string_view field = first_difference(*next_, here);
-    ++compared_;
-    if (difference_.empty() && !field.empty()) {
-      difference_ = fmt::format("tick {} ({:.3f} s): the recorded explanation differs in its {}\n",
-                                record.tick, record.time_s, field);
-    }
-  }
-
-  // Completes the file and says how the recorded explanations compare.
-  void close() {
-    steps_.close();
-    if (!difference_.empty()) {
-      fmt::print("{}", difference_);
-    } else if (compared_ > 0) {
-      fmt::print("{} recorded explanations: all equal\n", compared_);
-    }
-  }
-
-  // Returns true if no recorded explanation differs.
-  [[nodiscard]] bool agrees() const { return difference_.empty(); }
-
- private:
-  RunExplanation steps_;
-  Recording& recording_;
-  // The recorded explanation of this tick or of a later one.
-  std::optional<firmware::Explanation> next_;
-  bool at_end_ = false;
-  std::uint64_t compared_ = 0;
-  // The first difference in words.
-  std::string difference_;
 };
 
 // Returns true if every replayed tick equals the recorded one.
@@ -258,7 +205,9 @@ void show_changed(RecordedRun& run, const ReplayOptions& options) {
 // Returns the exit code. Throws InputError if the recording cannot be replayed.
 int run_replay(const ReplayOptions& options) {
   if (options.changes.empty() && (!options.csv.empty() || !options.picture.empty())) {
-    throw InputError("--csv and --picture show two forces: give --set name=value, too");
+    throw InputError(
+        "--csv and --picture show two forces: give --set name=value, too. tactus export writes a "
+        "recording as CSV");
   }
   const bool is_alone = options.recordings.size() == 1;
   if (!is_alone && (!options.changes.empty() || !options.images.device.empty())) {
