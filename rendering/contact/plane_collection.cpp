@@ -34,7 +34,7 @@ PlaneCollector::Result PlaneCollector::collect(const ConstraintMemory& memory,
     if (nearest.distance > margin.reach_m || candidate.behind) {
       continue;
     }
-    if (nearest.feature == Feature::face || nearest.distance < margin.inner_m) {
+    if (nearest.distance < margin.inner_m || !is_edge(candidate)) {
       add(i, planes, flags);
       add_other_contacts(i, planes, flags);
     } else if ((memory.is_blocking(i) || held_by.has({candidate.object, candidate.index})) &&
@@ -71,6 +71,12 @@ std::optional<Vec3> PlaneCollector::place_above_seam(std::size_t i, ContactPlane
   return is_low && is_clear(i, raised_W) ? std::optional(raised_W) : std::nullopt;
 }
 
+bool PlaneCollector::is_edge(const Candidate& candidate) const {
+  return candidate.primitive == nullptr
+             ? candidate.nearest.feature != Feature::face
+             : rubs(candidate) && is_nearest_on_edge(*candidate.primitive, candidate.seen, p_W_);
+}
+
 bool PlaneCollector::rubs(const Candidate& candidate) const {
   const FrictionParameters& friction = near_.scene.material(candidate.object).friction;
   return friction.kind != FrictionKind::cone || friction.static_level > 0.0;
@@ -82,20 +88,21 @@ bool PlaneCollector::rubs(const Candidate& candidate) const {
 bool PlaneCollector::is_seam(std::size_t i, const ContactPlanes& planes) const {
   const Candidate& candidate = near_.candidates.candidate(i);
   const ContactMargin& margin = near_.margins.of(candidate.point_tool);
-  if (candidate.primitive != nullptr || candidate.nearest.feature == Feature::face ||
-      !rubs(candidate)) {
+  if (!rubs(candidate) || !is_edge(candidate)) {
     return false;
   }
   return std::ranges::any_of(planes.all(), [&](const ContactPlane& contact) {
-    return contact.object == candidate.object && contact.nearest.feature == Feature::face &&
+    return contact.nearest.feature == Feature::face &&
            contact.nearest.normal.dot(candidate.nearest.normal) >= margin.inner_m / margin.stop_m;
   });
 }
 
 bool PlaneCollector::is_clear(std::size_t i, const Vec3& p_W) const {
   const Candidate& candidate = near_.candidates.candidate(i);
-  return candidate.triangle.nearest(p_W).distance >=
-         near_.margins.of(candidate.point_tool).rest_m - kSettled_m;
+  const double distance_m = candidate.primitive == nullptr
+                                ? candidate.triangle.nearest(p_W).distance
+                                : sample(*candidate.primitive, p_W).distance_m;
+  return distance_m >= near_.margins.of(candidate.point_tool).rest_m - kSettled_m;
 }
 
 // Returns true if the object overlaps the sphere. A sphere is nearer to the back than its radius

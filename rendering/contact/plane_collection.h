@@ -4,7 +4,7 @@
 // a vertex gives its plane only when it blocks a sweep: across a flat or hollow seam the
 // neighbour's edge is near too, its plane is tilted against the motion, and yet it never blocks.
 // A seam with friction is left out where the sphere only meets it because it is below its rest
-// height.
+// height. Surfaces of two objects that lie flush have such a seam, too.
 // At the start of a tick the edges that held a proxy with friction give their planes too: without
 // them it would come down to the edge along the way to the tool, rise again, and so creep in every
 // tick.
@@ -82,12 +82,15 @@ class PlaneCollector {
   // Adds the planes of the edges, except of seams that the sphere is clear of at the rest height of
   // the planes that are there.
   void add_edges(const RubbingEdges& edges, ContactPlanes& planes, std::uint32_t& flags);
+  // Returns true if the candidate is nearest on an edge or a vertex. Those of a primitive without
+  // friction count as faces.
+  [[nodiscard]] bool is_edge(const Candidate& candidate) const;
   // Returns true if the candidate's surface has friction.
   [[nodiscard]] bool rubs(const Candidate& candidate) const;
-  // Returns true if candidate `i` rubs the sphere with an edge or a vertex beside a face of its
-  // object that gave one of the planes.
+  // Returns true if candidate `i` rubs the sphere with an edge or a vertex beside a face that gave
+  // one of the planes.
   [[nodiscard]] bool is_seam(std::size_t i, const ContactPlanes& planes) const;
-  // Returns true if candidate `i`, a triangle, does not touch a sphere at p_W (world frame, m).
+  // Returns true if candidate `i` does not touch a sphere at p_W (world frame, m).
   [[nodiscard]] bool is_clear(std::size_t i, const Vec3& p_W) const;
   // Returns true if the proxy overlaps the candidate's surface by more than a push out may mend.
   [[nodiscard]] bool overlaps(const Candidate& candidate) const;

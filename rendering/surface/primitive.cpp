@@ -1,5 +1,8 @@
 #include "rendering/surface/primitive.h"
 
+#include <algorithm>
+#include <span>
+
 #include "rendering/limits.h"
 
 namespace tactus::rendering {
@@ -63,6 +66,20 @@ SurfaceSamples all_contacts(const Primitive& primitive, const Vec3& p_W) {
                                     .normal_W = primitive.X_WO.direction(contact.normal_O)};
   }
   return found;
+}
+
+// On an edge the normal is that of none of the walls that meet there.
+bool is_nearest_on_edge(const Primitive& primitive, const SurfaceSample& seen, const Vec3& p_W) {
+  if (!convex(primitive) || !(seen.distance_m > 0.0)) {
+    return false;
+  }
+  constexpr double kSameDirection = 1.0 - 1e-9;
+  const SurfaceSamples walls = all_contacts(primitive, p_W);
+  return walls.count > 0 &&
+         std::ranges::none_of(std::span(walls.samples).first(walls.count),
+                              [&](const SurfaceSample& wall) {
+                                return wall.normal_W.dot(seen.normal_W) > kSameDirection;
+                              });
 }
 
 Bounds bounds(const Primitive& primitive) {

@@ -48,6 +48,10 @@ struct SurfaceSamples {
 // heap.
 SurfaceSamples all_contacts(const Primitive& primitive, const Vec3& p_W);
 
+// Returns true if the surface point that is nearest to p_W, for seen = sample(primitive, p_W), lies
+// on an edge or a corner of a convex solid, and p_W outside it. Any thread; no heap.
+bool is_nearest_on_edge(const Primitive& primitive, const SurfaceSample& seen, const Vec3& p_W);
+
 // The surface point that `seen` speaks of, for seen = sample(primitive, p_W).
 inline Vec3 nearest_point(const SurfaceSample& seen, const Vec3& p_W) {
   return p_W - seen.distance_m * seen.normal_W;

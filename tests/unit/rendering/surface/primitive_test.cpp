@@ -146,6 +146,30 @@ TEST(Primitive, BoundsAreTheSmallestThatHoldTheSurface) {
   EXPECT_EQ(bounds({.kind = PrimitiveKind::plane}).upper_W, Vec3::Constant(kWorldBound_m));
 }
 
+// Returns true if the point sees an edge or a corner of a solid about the origin.
+bool sees_edge(PrimitiveKind kind, const PrimitiveDimensions& dimensions_m, const Vec3& p) {
+  const Primitive solid{.kind = kind, .dimensions_m = dimensions_m};
+  return is_nearest_on_edge(solid, sample(solid, p), p);
+}
+
+TEST(Primitive, TellsEdgesAndCornersFromWalls) {
+  const PrimitiveDimensions kBox{0.1, 0.2, 0.3};
+  EXPECT_FALSE(sees_edge(PrimitiveKind::box, kBox, {0.05, 0.21, -0.1}));
+  EXPECT_TRUE(sees_edge(PrimitiveKind::box, kBox, {0.11, 0.21, -0.1})) << "an edge";
+  EXPECT_TRUE(sees_edge(PrimitiveKind::box, kBox, {0.11, -0.21, -0.31})) << "a corner";
+  EXPECT_FALSE(sees_edge(PrimitiveKind::box, kBox, {0.0, 0.19, 0.0})) << "within it";
+  const PrimitiveDimensions kRound{0.1, 0.2};
+  EXPECT_FALSE(sees_edge(PrimitiveKind::cylinder, kRound, {0.09, 0.1, 0.09}));
+  EXPECT_FALSE(sees_edge(PrimitiveKind::cylinder, kRound, {0.05, 0.21, 0.0}));
+  EXPECT_TRUE(sees_edge(PrimitiveKind::cylinder, kRound, {0.09, 0.21, 0.09})) << "the rim";
+  EXPECT_FALSE(sees_edge(PrimitiveKind::cone, kRound, {0.1, 0.1, 0.0}));
+  EXPECT_TRUE(sees_edge(PrimitiveKind::cone, kRound, {0.0, 0.21, 0.0})) << "the tip";
+  EXPECT_TRUE(sees_edge(PrimitiveKind::cone, kRound, {0.12, 0.0, 0.0})) << "the rim";
+  EXPECT_FALSE(sees_edge(PrimitiveKind::sphere, kRound, {0.09, 0.1, 0.09}));
+  EXPECT_FALSE(sees_edge(PrimitiveKind::capsule, kRound, {0.03, 0.31, 0.0}));
+  EXPECT_FALSE(sees_edge(PrimitiveKind::capsule, kRound, {0.12, 0.1, 0.0}));
+}
+
 TEST(Primitive, RefusesWhatIsNotASolid) {
   const Primitive good{.kind = PrimitiveKind::torus, .dimensions_m = {0.02, 0.01}};
   EXPECT_TRUE(valid(good));
