@@ -13,8 +13,8 @@ constexpr double kHandStiffness_N_per_m = 300.0;
 constexpr double kHandDamping_Ns_per_m = 5.0;
 // The viscous friction of the device, felt at the handle.
 constexpr double kDeviceDamping_Ns_per_m = 0.5;
-// Where the handle does not move with a joint, the joint still has some inertia: that of the mass
-// at this distance, m, or this share of the mass.
+// A joint with which the handle does not move still has some inertia: that of the mass at this
+// distance, m, or this share of the mass.
 constexpr double kLeastLever = 0.02;
 
 constexpr int kStepsPerTick = 4;

@@ -23,17 +23,6 @@ std::uint64_t checksum_of(std::span<const std::byte> image) {
 
 }  // namespace
 
-Request next_request(Mode mode) {
-  switch (mode) {
-    case Mode::init:
-      return Request::home;
-    case Mode::ready:
-      return Request::enable;
-    default:
-      return Request::none;
-  }
-}
-
 bool is_line_due(const TelemetryRecord& record) {
   return (record.tick + 1) % kTicksPerLine == 0;
 }
@@ -41,7 +30,7 @@ bool is_line_due(const TelemetryRecord& record) {
 Line tick_line(const TelemetryRecord& record) {
   Line line;
   line.add("tick").add(record.tick + 1).add(" hash").add_hex(record.state_hash);
-  line.add(" mode ").add(kModeNames[static_cast<std::size_t>(record.mode)]);
+  line.add(" mode ").add(mode_name(record.mode));
   line.add(" touch ").add(kContactNames[static_cast<std::size_t>(record.contact)]);
   line.add(" flagged").add(std::uint64_t{record.counters.touch_flagged});
   return line;

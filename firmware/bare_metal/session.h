@@ -10,6 +10,7 @@
 #include "drivers/device.h"
 #include "firmware/bare_metal/line.h"
 #include "firmware/control/controller.h"
+#include "firmware/control/mode.h"
 #include "firmware/control/run_tick.h"
 #include "firmware/safety/faults.h"
 
@@ -17,10 +18,6 @@ namespace tactus::firmware {
 
 // A line is told every so many ticks.
 inline constexpr std::uint64_t kTicksPerLine = 1000;
-
-// Returns the request that brings a device to force: home, then enable. After a fault it is none;
-// only a person may reset one.
-Request next_request(Mode mode);
 
 // Returns true if the line of this record's tick is due.
 bool is_line_due(const TelemetryRecord& record);
@@ -38,12 +35,13 @@ class Session {
   // Both must outlive it.
   Session(Controller& controller, D& device) : controller_(controller), device_(device) {}
 
-  // Runs a tick; `missed_ticks` periods before it were missed. Calls tell(line) for what there is
-  // to say of it.
+  // Runs a tick that brings the device closer to force; `missed_ticks` periods before it were
+  // missed. After a fault it asks for nothing: only a person may reset one. Calls tell(line) for
+  // what there is to say of it.
   template <class Tell>
   void tick(std::uint32_t missed_ticks, Tell&& tell) {
     controller_.note_loop({.missed_ticks = missed_ticks});
-    run_tick(controller_, device_, next_request(controller_.mode()));
+    run_tick(controller_, device_, request_toward_active(controller_.mode()));
     const TelemetryRecord& record = controller_.record();
     if (const std::uint64_t fresh = record.faults & ~told_faults_; fresh != 0) {
       told_faults_ = record.faults;

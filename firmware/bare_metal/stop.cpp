@@ -7,7 +7,7 @@ namespace {
 
 // The watchdog's time from a stop to the restart of the board: it must be enough to tell the stop.
 constexpr std::uint32_t kTelling_us = 500'000;
-// How often a character is offered to a UART that does not take it.
+// A line is given up after its characters were refused so often.
 constexpr int kMostOffers = 1'000'000;
 
 }  // namespace

@@ -1,4 +1,4 @@
-// How long ticks take, and how much of the stack they need. One thread; real time.
+// Counts the durations of ticks, and the bytes of the stack that they used. One thread; real time.
 #pragma once
 
 #include <array>

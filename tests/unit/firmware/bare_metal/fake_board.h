@@ -11,8 +11,9 @@
 namespace tactus::hal {
 
 struct FakeBoard {
-  // What happened, in the order of time: "off", "on", "latch N", "watchdog N us" and texts between
-  // quotes, in which a line end is a slash. A latched code is seen when the next thing happens.
+  // The calls of the board in the order of time: "off", "on", "latch N", "watchdog N us" and texts
+  // between quotes, in which a line end is a slash. A latched code is seen when the next thing
+  // happens.
   std::string events;
   LatchedStop latched;
   // The UART takes the last one of so many offers; none if it is 0.

@@ -27,11 +27,11 @@ struct RestingDevice {
 };
 
 TEST(BareMetalSession, BringsADeviceToForceAndLeavesAFaultToAPerson) {
-  EXPECT_EQ(next_request(Mode::init), Request::home);
-  EXPECT_EQ(next_request(Mode::homing), Request::none);
-  EXPECT_EQ(next_request(Mode::ready), Request::enable);
-  EXPECT_EQ(next_request(Mode::active), Request::none);
-  EXPECT_EQ(next_request(Mode::fault), Request::none);
+  EXPECT_EQ(request_toward_active(Mode::init), Request::home);
+  EXPECT_EQ(request_toward_active(Mode::homing), Request::none);
+  EXPECT_EQ(request_toward_active(Mode::ready), Request::enable);
+  EXPECT_EQ(request_toward_active(Mode::active), Request::none);
+  EXPECT_EQ(request_toward_active(Mode::fault), Request::none);
 }
 
 TEST(BareMetalSession, LinesCountTicksFromOne) {
