@@ -1,27 +1,11 @@
 #include "firmware/bare_metal/session.h"
 
-#include <array>
 #include <bit>
-#include <string_view>
 
 #include "rendering/scene/image_format.h"
+#include "rendering/touch_names.h"
 
 namespace tactus::firmware {
-namespace {
-
-constexpr std::array<std::string_view, 4> kContactNames = {"none", "face", "edge", "vertex"};
-
-// Returns the checksum in the header of an image; 0 if it has none.
-std::uint64_t checksum_of(std::span<const std::byte> image) {
-  rendering::ImageHeader header;
-  if (image.size() < sizeof header) {
-    return 0;
-  }
-  std::memcpy(&header, image.data(), sizeof header);
-  return header.checksum;
-}
-
-}  // namespace
 
 bool is_line_due(const TelemetryRecord& record) {
   return (record.tick + 1) % kTicksPerLine == 0;
@@ -31,7 +15,7 @@ Line tick_line(const TelemetryRecord& record) {
   Line line;
   line.add("tick").add(record.tick + 1).add(" hash").add_hex(record.state_hash);
   line.add(" mode ").add(mode_name(record.mode));
-  line.add(" touch ").add(kContactNames[static_cast<std::size_t>(record.contact)]);
+  line.add(" touch ").add(rendering::kContactNames[static_cast<std::size_t>(record.contact)]);
   line.add(" flagged").add(std::uint64_t{record.counters.touch_flagged});
   return line;
 }
@@ -49,7 +33,8 @@ Line fault_line(const TelemetryRecord& record, std::uint64_t new_faults) {
 
 Line image_line(std::span<const std::byte> device, std::span<const std::byte> scene) {
   Line line;
-  line.add("device").add_hex(checksum_of(device)).add(", scene").add_hex(checksum_of(scene));
+  line.add("device").add_hex(rendering::header_checksum(device));
+  line.add(", scene").add_hex(rendering::header_checksum(scene));
   return line;
 }
 

@@ -11,6 +11,7 @@
 #include "host_tools/files/output_place.h"
 #include "host_tools/input_error.h"
 #include "host_tools/remote/remote.h"
+#include "rendering/scene/image_format.h"
 
 namespace tactus::host {
 namespace {
@@ -69,7 +70,7 @@ void ServedTelemetry::describe(const Simulation& simulation, const firmware::Sce
   joints_ = firmware::joint_count(simulation.config(device_).mechanism);
   words_.rate = fmt::format("{}", rate_hz);
   words_.joints = fmt::format("{}", joints_);
-  words_.checksum = fmt::format("{:016x}", firmware::checksum_of(scenes.bytes()));
+  words_.checksum = fmt::format("{:016x}", rendering::header_checksum(scenes.bytes()));
   words_.number = fmt::format("{}", device_ + 1);
   words_.count = fmt::format("{}", simulation.device_count());
   words_.entries = {{{"program", "tactus sim"},

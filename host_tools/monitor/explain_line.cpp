@@ -6,6 +6,8 @@
 #include <array>
 #include <iterator>
 
+#include "rendering/touch_names.h"
+
 namespace tactus::host {
 namespace {
 
@@ -88,8 +90,7 @@ std::string_view contact_state(const Explanation& explanation) {
 }
 
 std::string_view friction_word(const Explanation& explanation) {
-  constexpr std::array<std::string_view, 3> kWords = {"free", "stick", "slip"};
-  return state_word(kWords, explanation.friction);
+  return state_word(rendering::kFrictionNames, explanation.friction);
 }
 
 std::string explain_line(const Explanation& explanation) {

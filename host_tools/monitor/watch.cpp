@@ -15,6 +15,7 @@
 #include "firmware/safety/faults.h"
 #include "firmware/telemetry/record_fields.h"
 #include "host_tools/recording/record_columns.h"
+#include "rendering/touch_names.h"
 
 namespace tactus::host {
 
@@ -48,16 +49,14 @@ std::string word_of(const std::array<std::string_view, kCount>& words, Enum valu
 // Returns the word or number of a column.
 template <class Field>
 std::string text_of(const FieldName& name, const Field& field) {
-  constexpr std::array<std::string_view, 4> kContacts = {"none", "face", "edge", "vertex"};
-  constexpr std::array<std::string_view, 3> kFrictions = {"free", "stick", "slip"};
   if constexpr (std::is_same_v<Field, firmware::Mode>) {
     return word_of(firmware::kModeNames, field);
   } else if constexpr (std::is_same_v<Field, firmware::Request>) {
     return word_of(firmware::kRequestNames, field);
   } else if constexpr (std::is_same_v<Field, rendering::ContactKind>) {
-    return word_of(kContacts, field);
+    return word_of(rendering::kContactNames, field);
   } else if constexpr (std::is_same_v<Field, rendering::FrictionState>) {
-    return word_of(kFrictions, field);
+    return word_of(rendering::kFrictionNames, field);
   } else if constexpr (std::is_same_v<Field, firmware::EnergySource>) {
     return word_of(firmware::kEnergySourceNames, field);
   } else if constexpr (std::is_enum_v<Field>) {

@@ -10,6 +10,7 @@
 
 #include "host_tools/plot/mesh_cut.h"
 #include "host_tools/plot/tick_script.h"
+#include "rendering/touch_names.h"
 
 namespace tactus::host {
 namespace {
@@ -177,8 +178,7 @@ std::string numbers_block(const TickPanel& panel) {
 }
 
 std::string_view state_name(int number) {
-  constexpr std::array<std::string_view, 3> kStates{"free", "stick", "slip"};
-  return kStates.at(static_cast<std::size_t>(std::clamp(number, 0, 2)));
+  return rendering::kFrictionNames.at(static_cast<std::size_t>(std::clamp(number, 0, 2)));
 }
 
 // Returns the line of facts of a tick on a formula: how its iterations ended, and on which side of

@@ -12,6 +12,7 @@
 #include "firmware/linux/flight/attachments.h"
 #include "firmware/linux/telemetry/mcap_writer.h"
 #include "host_tools/input_error.h"
+#include "rendering/scene/image_format.h"
 #include "rendering/scene/scene_world.h"
 
 namespace tactus::host {
@@ -20,7 +21,7 @@ namespace {
 // Returns the checksum as the recorder writes it: 16 hexadecimal digits.
 std::string checksum_text(std::span<const std::byte> image) {
   std::ostringstream text;
-  text << std::hex << std::setw(16) << std::setfill('0') << firmware::checksum_of(image);
+  text << std::hex << std::setw(16) << std::setfill('0') << rendering::header_checksum(image);
   return text.str();
 }
 

@@ -18,13 +18,6 @@
 namespace tactus::host {
 namespace {
 
-// Returns the checksum in the image's header, as 16 hexadecimal digits.
-std::string header_checksum(std::span<const std::byte> image) {
-  rendering::ImageHeader header;
-  std::memcpy(&header, image.data(), std::min(image.size(), sizeof header));
-  return fmt::format("{:016x}", header.checksum);
-}
-
 std::size_t joints_of_device(const Simulation& simulation, std::size_t device) {
   return firmware::joint_count(simulation.config(device).mechanism);
 }
@@ -59,7 +52,7 @@ void RunRecording::begin_csv(std::size_t joints) {
 void RunRecording::begin_mcap(const Simulation& simulation, std::span<const std::byte> scene) {
   mcap_ = std::make_unique<firmware::McapWriter>();
   const std::string rate = fmt::format("{}", simulation.config().rate_hz);
-  const std::string checksum = header_checksum(scene);
+  const std::string checksum = fmt::format("{:016x}", rendering::header_checksum(scene));
   const std::string number = fmt::format("{}", device_ + 1);
   const std::string count = fmt::format("{}", simulation.device_count());
   const std::array<firmware::MetadataEntry, 5> entries{{{"program", "tactus sim"},

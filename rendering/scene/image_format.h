@@ -46,4 +46,8 @@ static_assert(sizeof(ImageHeader) == kCacheLine);
 // the checksum, so that one number guards both. It guards against accidents, not against intent.
 std::uint64_t image_checksum(const ImageHeader& header, std::span<const std::byte> payload);
 
+// Returns the checksum that stands in the header of an image, without computing it anew; 0 if the
+// bytes are fewer than a header.
+std::uint64_t header_checksum(std::span<const std::byte> image);
+
 }  // namespace tactus::rendering

@@ -15,6 +15,7 @@
 #include "firmware/linux/flight/attachments.h"
 #include "firmware/linux/telemetry/record_encoder.h"
 #include "firmware/linux/telemetry/run_recorder.h"
+#include "rendering/scene/image_format.h"
 #include "rendering/scene/scene_world.h"
 #include "tests/replay/scene_walk.h"
 #include "tests/support/folder_test.h"
@@ -56,7 +57,7 @@ class RecordedWalk : public FolderTest {
   }
 
   const std::vector<std::byte> first_;
-  const std::string checksum_ = hex(firmware::checksum_of(first_));
+  const std::string checksum_ = hex(rendering::header_checksum(first_));
   const std::array<firmware::MetadataEntry, 1> info_{{{firmware::kSceneChecksumKey, checksum_}}};
   const std::string path_;
   std::array<std::byte, firmware::kMaxConfigBytes> config_{};

@@ -2,15 +2,11 @@
 // replayed on any machine.
 #pragma once
 
-#include <algorithm>
 #include <cstddef>
-#include <cstdint>
-#include <cstring>
 #include <span>
 #include <string_view>
 
 #include "firmware/linux/telemetry/attachment_list.h"
-#include "rendering/scene/image_format.h"
 
 namespace tactus::firmware {
 
@@ -31,13 +27,6 @@ inline constexpr std::string_view kSceneFileKey = "scene.file";
 // A run of one device has neither.
 inline constexpr std::string_view kDeviceNumberKey = "device.number";
 inline constexpr std::string_view kDeviceCountKey = "device.count";
-
-// Returns the checksum in an image's header.
-inline std::uint64_t checksum_of(std::span<const std::byte> image) {
-  rendering::ImageHeader header;
-  std::memcpy(&header, image.data(), std::min(sizeof(header), image.size()));
-  return header.checksum;
-}
 
 // Returns the attachment of an image. An image larger than 64 MiB is left out (empty bytes); the
 // recording then has only its file name and checksum.

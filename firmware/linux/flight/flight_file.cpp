@@ -7,6 +7,7 @@
 
 #include "firmware/linux/flight/attachments.h"
 #include "firmware/linux/telemetry/text_buffer.h"
+#include "rendering/scene/image_format.h"
 
 namespace tactus::firmware {
 
@@ -30,7 +31,7 @@ void FlightFile::use_scene(std::span<const std::byte> image) {
   const auto known = std::span(info_).first(info_count_);
   info_count_ -= std::ranges::remove_if(known, tells_scene).size();
   TextBuffer checksum(scene_checksum_);
-  checksum.hex(checksum_of(image));
+  checksum.hex(rendering::header_checksum(image));
   info_[info_count_] = {.key = kSceneChecksumKey,
                         .value = {scene_checksum_.data(), checksum.size()}};
   ++info_count_;

@@ -10,6 +10,7 @@
 #include "firmware/linux/flight/attachments.h"
 #include "firmware/linux/tactusd/run_folder.h"
 #include "hal/linux/system.h"
+#include "rendering/scene/image_format.h"
 
 namespace tactus::firmware {
 namespace {
@@ -97,7 +98,7 @@ void RunTelemetry::note(std::string_view key, std::string_view value) {
 
 void RunTelemetry::describe(const Options& options, const RunImages& images, std::size_t joints) {
   const auto checksum = [&](std::span<const std::byte> image) {
-    return keep([&](TextBuffer& text) { text.hex(checksum_of(image)); });
+    return keep([&](TextBuffer& text) { text.hex(rendering::header_checksum(image)); });
   };
   note("program", "tactusd");
   note("version", TACTUS_VERSION);
