@@ -22,9 +22,10 @@ namespace tactus::host {
 namespace {
 
 constexpr const char* kExportExamples =
-    "Writes every tick of a recording as CSV (.csv) or as JSON with an object a line (.jsonl, "
-    ".ndjson), by the extension\n"
-    "of the output. The columns are those of a recording that tactusd writes as CSV; positions are "
+    "Writes every tick of a recording as CSV (.csv), as JSON with an object a line (.jsonl, "
+    ".ndjson) or as arrays of\n"
+    "numpy (.npz), by the extension of the output. The columns are those of a recording that "
+    "tactusd writes as CSV; positions are "
     "in m in the world\n"
     "frame, forces in N, and the unit is the end of a column's name. A field is a column (--list) "
     "or "
@@ -44,8 +45,8 @@ constexpr const char* kExportExamples =
     "  tactus export run.mcap -o run.csv --events events.csv       and what was set, asked for and "
     "injected\n"
     "  tactus export run.mcap -o /dev/stdout --fields depth | sort -g | tail -1\n"
-    "  python3 -c 'import numpy; print(numpy.genfromtxt(\"force.csv\", delimiter=\",\", "
-    "names=True)[\"force_y_N\"].max())'";
+    "  tactus export run.mcap -o run.npz                           an array for each column\n"
+    "  python3 -c 'import numpy; print(numpy.load(\"run.npz\")[\"force_y_N\"].max())'";
 
 // The verb's options as the user gave them.
 struct ExportOptions {
@@ -64,7 +65,7 @@ std::filesystem::path output_of(const ExportOptions& options) {
     return options.output;
   }
   std::filesystem::path beside = options.recording;
-  beside.replace_extension(options.format == "jsonl" ? ".jsonl" : ".csv");
+  beside.replace_extension(options.format.empty() ? "csv" : options.format);
   if (std::filesystem::exists(beside)) {
     throw InputError(
         fmt::format("{0} is there and is kept; name the output: -o {0}", beside.string()));
@@ -74,18 +75,27 @@ std::filesystem::path output_of(const ExportOptions& options) {
 
 // Returns the format that was named, or that of the file's extension; a pipe has CSV.
 ExportFormat format_of(const ExportOptions& options, const std::filesystem::path& file) {
-  if (!options.format.empty()) {
-    return options.format == "csv" ? ExportFormat::csv : ExportFormat::json_lines;
-  }
-  if (const auto format = export_format(file)) {
+  if (const auto format = export_format(
+          options.format.empty() ? file : std::filesystem::path("table." + options.format))) {
     return *format;
   }
   if (output_place(file, OutputKind::may_be_a_pipe).is_pipe) {
     return ExportFormat::csv;
   }
   throw InputError(fmt::format(
-      "{}: the extension is none of .csv, .jsonl and .ndjson; say --format csv or --format jsonl",
+      "{}: the extension is none of .csv, .jsonl, .ndjson and .npz; say --format csv, jsonl or npz",
       file.string()));
+}
+
+// Returns the format of the file of events: by its extension, or that of the table. Throws
+// InputError if the extension is that of arrays.
+ExportFormat events_format_of(const ExportOptions& options, ExportFormat format) {
+  const auto named = export_format(options.events);
+  if (named == ExportFormat::npz) {
+    throw InputError(
+        fmt::format("{}: events are written as .csv, .jsonl or .ndjson", options.events));
+  }
+  return named.value_or(format == ExportFormat::npz ? ExportFormat::csv : format);
 }
 
 void list_fields(const ExportOptions& options) {
@@ -103,6 +113,7 @@ void run(const ExportOptions& options) {
   }
   const std::filesystem::path output = output_of(options);
   const ExportFormat format = format_of(options, output);
+  const ExportFormat events_format = events_format_of(options, format);
   keep_inputs_safe({output, options.events}, {options.recording});
   Recording recording(options.recording);
   std::optional<ProgressLine> progress;
@@ -122,7 +133,6 @@ void run(const ExportOptions& options) {
              summary.ticks, summary.columns, summary.columns == 1 ? "" : "s", summary.first_s,
              summary.last_s);
   if (!options.events.empty()) {
-    const auto events_format = export_format(options.events).value_or(format);
     fmt::print(words, "{}: {} events\n", options.events,
                export_events(recording, events_format, options.events));
   }
@@ -136,13 +146,13 @@ void run(const ExportOptions& options) {
 }  // namespace
 
 void add_export_verb(CLI::App& app) {
-  CLI::App* verb = app.add_subcommand("export", "Write a recording as CSV or JSON lines");
+  CLI::App* verb = app.add_subcommand("export", "Write a recording as CSV, JSON lines or NPZ");
   const auto options = std::make_shared<ExportOptions>();
   verb->add_option("recording", options->recording, "Recording (.mcap)")->required();
   verb->add_option("-o,--output", options->output,
-                   "Table (.csv, .jsonl or .ndjson), or /dev/stdout (beside the recording)");
-  verb->add_option("--format", options->format, "csv or jsonl, whatever the extension")
-      ->check(CLI::IsMember({"csv", "jsonl"}));
+                   "Table (.csv, .jsonl, .ndjson or .npz), or /dev/stdout (beside the recording)");
+  verb->add_option("--format", options->format, "csv, jsonl or npz, whatever the extension")
+      ->check(CLI::IsMember({"csv", "jsonl", "npz"}));
   verb->add_option("--fields", options->choice.fields, "Fields, apart by commas (all)")
       ->delimiter(',');
   verb->add_option("--every", options->choice.every, "Every so many ticks")

@@ -2,18 +2,18 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
-#include <iterator>
 #include <nlohmann/json.hpp>
-#include <ranges>
 #include <type_traits>
+#include <utility>
 #include <variant>
+#include <vector>
 
 #include "firmware/telemetry/telemetry_event.h"
-#include "host_tools/input_error.h"
+#include "host_tools/export/chosen_ticks.h"
+#include "host_tools/export/npz.h"
 #include "host_tools/recording/record_columns.h"
 #include "host_tools/simulation/run_log.h"
 
@@ -67,19 +67,8 @@ void append_json(std::string& text, const ColumnValue& value) {
 // The text of ticks in one of the formats.
 class TickText {
  public:
-  // Chooses the columns. Throws InputError for a field that is not known.
-  TickText(const ExportChoice& choice, ExportFormat format, std::size_t joints)
-      : format_(format), joints_(joints), names_(column_names(joints)) {
-    if (choice.fields.empty()) {
-      columns_.reserve(names_.size());
-      std::ranges::copy(std::views::iota(std::size_t{0}, names_.size()),
-                        std::back_inserter(columns_));
-    } else {
-      columns_ = chosen_columns(choice.fields, joints);
-    }
-  }
-
-  [[nodiscard]] std::size_t columns() const { return columns_.size(); }
+  TickText(std::vector<ChosenColumn> columns, ExportFormat format, std::size_t joints)
+      : format_(format), joints_(joints), columns_(std::move(columns)) {}
 
   // Returns the first line of the file: the names in CSV, nothing in JSON.
   [[nodiscard]] std::string header() const {
@@ -87,9 +76,9 @@ class TickText {
       return {};
     }
     std::string text;
-    for (const std::size_t column : columns_) {
+    for (const ChosenColumn& column : columns_) {
       text += text.empty() ? "" : ",";
-      text += names_[column];
+      text += column.name;
     }
     return text + "\n";
   }
@@ -99,14 +88,14 @@ class TickText {
     read_columns(tick, joints_, values_);
     const bool is_json = format_ == ExportFormat::json_lines;
     std::string_view before = is_json ? "{" : "";
-    for (const std::size_t column : columns_) {
+    for (const ChosenColumn& column : columns_) {
       text += before;
       before = ",";
       if (is_json) {
-        text += '"' + names_[column] + "\":";
-        append_json(text, values_[column]);
+        text += '"' + column.name + "\":";
+        append_json(text, values_[column.index]);
       } else {
-        append_csv(text, values_[column]);
+        append_csv(text, values_[column.index]);
       }
     }
     text += is_json ? "}\n" : "\n";
@@ -115,17 +104,9 @@ class TickText {
  private:
   ExportFormat format_;
   std::size_t joints_;
-  std::vector<std::string> names_;
-  std::vector<std::size_t> columns_;
+  std::vector<ChosenColumn> columns_;
   std::vector<ColumnValue> values_;
 };
-
-std::string no_tick_between(const ExportChoice& choice, double last_s) {
-  const std::string from =
-      std::isfinite(choice.from_s) ? fmt::format(" from {} s on", choice.from_s) : "";
-  const std::string to = std::isfinite(choice.to_s) ? fmt::format(" up to {} s", choice.to_s) : "";
-  return fmt::format("the run has no tick{}{}; it ends at {:.3f} s", from, to, last_s);
-}
 
 }  // namespace
 
@@ -137,41 +118,31 @@ std::optional<ExportFormat> export_format(const std::filesystem::path& file) {
   if (extension == ".jsonl" || extension == ".ndjson") {
     return ExportFormat::json_lines;
   }
+  if (extension == ".npz") {
+    return ExportFormat::npz;
+  }
   return std::nullopt;
 }
 
 ExportSummary export_ticks(Recording& recording, const ExportChoice& choice, ExportFormat format,
                            const std::filesystem::path& output,
                            const std::function<void(double time_s)>& see) {
-  constexpr std::uint64_t kTicksBetweenViews = 1000;
-  recording.rewind();
-  auto tick = recording.next();
-  if (!tick) {
-    throw InputError("the recording holds no tick");
+  const std::size_t joints = joints_of(recording);
+  std::vector<ChosenColumn> columns = columns_of(choice, joints);
+  const std::size_t column_count = columns.size();
+  ExportSummary summary;
+  if (format == ExportFormat::npz) {
+    summary = write_npz(recording, choice, columns, output, see);
+  } else {
+    TickText text(std::move(columns), format, joints);
+    LogFile file(output, text.header());
+    summary = visit_chosen_ticks(recording, choice, see, [&](const firmware::RecordedTick& tick) {
+      text.append(tick, file.buffer());
+      file.flush_if_full();
+    });
+    file.close();
   }
-  TickText text(choice, format, tick->joint_count);
-  LogFile file(output, text.header());
-  ExportSummary summary{.columns = text.columns()};
-  std::uint64_t within = 0;
-  double last_s = 0.0;
-  for (std::uint64_t count = 0; tick; tick = recording.next(), ++count) {
-    last_s = tick->record.time_s;
-    if (count % kTicksBetweenViews == 0) {
-      see(last_s);
-    }
-    if (last_s < choice.from_s || last_s > choice.to_s || within++ % choice.every != 0) {
-      continue;
-    }
-    summary.first_s = summary.ticks == 0 ? last_s : summary.first_s;
-    summary.last_s = last_s;
-    ++summary.ticks;
-    text.append(*tick, file.buffer());
-    file.flush_if_full();
-  }
-  if (summary.ticks == 0) {
-    throw InputError(no_tick_between(choice, last_s));
-  }
-  file.close();
+  summary.columns = column_count;
   return summary;
 }
 

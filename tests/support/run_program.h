@@ -1,4 +1,4 @@
-// Runs the tactus program as a user does.
+// Runs programs as a user does.
 #pragma once
 
 #include <sys/wait.h>
@@ -17,11 +17,11 @@ struct Outcome {
   std::string output;  // of stdout and stderr, together
 };
 
-inline Outcome run_program(const std::filesystem::path& folder, const std::string& arguments) {
-  const std::string command =
-      "cd '" + folder.string() + "' && '" + built_program("tactus") + "' " + arguments + " 2>&1";
+// Runs a command of the shell in a folder.
+inline Outcome run_command(const std::filesystem::path& folder, const std::string& command) {
+  const std::string line = "cd '" + folder.string() + "' && " + command + " 2>&1";
   Outcome result;
-  FILE* pipe = ::popen(command.c_str(), "r");
+  FILE* pipe = ::popen(line.c_str(), "r");
   std::array<char, 4096> buffer{};
   for (std::size_t n = 1; n != 0;) {
     n = std::fread(buffer.data(), 1, buffer.size(), pipe);
@@ -30,6 +30,11 @@ inline Outcome run_program(const std::filesystem::path& folder, const std::strin
   const int status = ::pclose(pipe);
   result.exit_code = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
   return result;
+}
+
+// Runs tactus in a folder.
+inline Outcome run_program(const std::filesystem::path& folder, const std::string& arguments) {
+  return run_command(folder, "'" + built_program("tactus") + "' " + arguments);
 }
 
 }  // namespace tactus::testing

@@ -1,10 +1,11 @@
-// A table is held against what the controller's own CSV writer makes of the same ticks, and JSON
-// against an independent parser.
+// A table is held against what the controller's own CSV writer makes of the same ticks, JSON
+// against an independent parser, and NPZ against numpy.
 #include "host_tools/export/export_run.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <filesystem>
 #include <fstream>
 #include <limits>
 #include <memory>
@@ -16,9 +17,11 @@
 
 #include "firmware/linux/telemetry/csv_writer.h"
 #include "firmware/linux/telemetry/mcap_writer.h"
+#include "host_tools/export/npz.h"
 #include "host_tools/input_error.h"
 #include "host_tools/recording/record_columns.h"
 #include "tests/support/folder_test.h"
+#include "tests/support/paths.h"
 #include "tests/support/run_program.h"
 #include "tests/unit/firmware/linux/telemetry/random_tick.h"
 
@@ -136,6 +139,51 @@ TEST_F(ExportRun, ANumberThatIsNotFiniteIsNullInJson) {
   EXPECT_EQ(text_of("run.csv"), "depth_m,passivity_J\nnan,-inf\n");
 }
 
+// Skips the test on a machine without numpy. Debian's numpy belongs to Debian's Python, whatever
+// other Python comes first in the path.
+#define TACTUS_NEEDS_NUMPY()                                                                 \
+  if (testing::run_command(folder(), "/usr/bin/python3 -c 'import numpy'").exit_code != 0) { \
+    GTEST_SKIP() << "no numpy here: toolchains/install-packages.sh tests installs it";       \
+  }
+
+TEST_F(ExportRun, AsNpzHasTheNumbersOfTheCsvToTheBit) {
+  TACTUS_NEEDS_NUMPY();
+  record(300);
+  const ExportSummary summary = export_to("run.npz");
+  EXPECT_EQ(summary.ticks, 300U);
+  EXPECT_EQ(summary.columns, column_names(kExportedJoints).size());
+  const testing::Outcome compared = testing::run_command(
+      folder(), "/usr/bin/python3 " +
+                    testing::in_repository("tests/unit/host_tools/export/compare_npz.py") +
+                    " run.npz expected.csv");
+  EXPECT_EQ(compared.exit_code, 0) << compared.output;
+  EXPECT_EQ(compared.output, std::to_string(summary.columns) + " arrays of 300\n");
+}
+
+TEST_F(ExportRun, AsNpzIsTheSameInOnePassAndInSeveral) {
+  record(100);
+  export_to("one_pass.npz");
+  Recording recording(file("run.mcap"));
+  write_npz(recording, {}, columns_of({}, kExportedJoints), file("passes.npz"), [](double) {},
+            {.room_bytes = 10'000});
+  EXPECT_EQ(text_of("passes.npz"), text_of("one_pass.npz"));
+}
+
+TEST_F(ExportRun, AsNpzGoesIntoAFileAlone) {
+  record(10);
+  EXPECT_EQ(testing::run_program(folder(), "export run.mcap -o run.npz --fields tick,force").output,
+            "run.npz: 10 ticks of 4 columns, 0.000 to 0.009 s\n");
+  const testing::Outcome piped =
+      testing::run_program(folder(), "export run.mcap --format npz -o /dev/stdout");
+  EXPECT_NE(piped.output.find("tactus export: /dev/stdout"), std::string::npos) << piped.output;
+  const testing::Outcome events =
+      testing::run_program(folder(), "export run.mcap -o b.npz --events events.npz");
+  EXPECT_EQ(events.exit_code, 2);
+  EXPECT_EQ(events.output,
+            "tactus export: events.npz: events are written as .csv, .jsonl or .ndjson\n");
+  EXPECT_FALSE(std::filesystem::exists(file("b.npz")));
+}
+
 TEST_F(ExportRun, WritesTheChosenColumnsOfTheChosenTicks) {
   record(100);
   const ExportSummary summary = export_to(
@@ -184,7 +232,7 @@ TEST_F(ExportRun, TheProgramWritesBesideTheRecordingAndReplacesNothing) {
   EXPECT_EQ(testing::run_program(folder(), "export run.mcap -o run.mcap").exit_code, 2);
   const testing::Outcome strange = testing::run_program(folder(), "export run.mcap -o run.txt");
   EXPECT_EQ(strange.exit_code, 2);
-  EXPECT_NE(strange.output.find("say --format csv or --format jsonl"), std::string::npos);
+  EXPECT_NE(strange.output.find("say --format csv, jsonl or npz"), std::string::npos);
   const testing::Outcome piped =
       testing::run_program(folder(), "export run.mcap -o /dev/stdout --fields tick 2>/dev/null");
   EXPECT_TRUE(piped.output.starts_with("tick\n0\n1\n")) << piped.output;
