@@ -4,7 +4,6 @@
 
 #include <cmath>
 #include <cstdint>
-#include <numeric>
 #include <optional>
 
 #include "host_tools/input_error.h"
@@ -23,14 +22,10 @@ std::string no_tick_between(const ExportChoice& choice, double last_s) {
 
 std::vector<ChosenColumn> columns_of(const ExportChoice& choice, std::size_t joints) {
   const std::vector<std::string> names = column_names(joints);
-  std::vector<std::size_t> indices(names.size());
-  std::iota(indices.begin(), indices.end(), std::size_t{0});
-  if (!choice.fields.empty()) {
-    indices = chosen_columns(choice.fields, joints);
-  }
+  // Every column's own name stands for that column.
+  const std::vector<std::string>& fields = choice.fields.empty() ? names : choice.fields;
   std::vector<ChosenColumn> columns;
-  columns.reserve(indices.size());
-  for (const std::size_t index : indices) {
+  for (const std::size_t index : chosen_columns(fields, joints)) {
     columns.push_back({.name = names[index], .index = index});
   }
   return columns;

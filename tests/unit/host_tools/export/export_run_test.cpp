@@ -139,15 +139,12 @@ TEST_F(ExportRun, ANumberThatIsNotFiniteIsNullInJson) {
   EXPECT_EQ(text_of("run.csv"), "depth_m,passivity_J\nnan,-inf\n");
 }
 
-// Skips the test on a machine without numpy. Debian's numpy belongs to Debian's Python, whatever
-// other Python comes first in the path.
-#define TACTUS_NEEDS_NUMPY()                                                                 \
-  if (testing::run_command(folder(), "/usr/bin/python3 -c 'import numpy'").exit_code != 0) { \
-    GTEST_SKIP() << "no numpy here: toolchains/install-packages.sh tests installs it";       \
-  }
-
 TEST_F(ExportRun, AsNpzHasTheNumbersOfTheCsvToTheBit) {
-  TACTUS_NEEDS_NUMPY();
+  // Debian's numpy belongs to Debian's Python, whatever other Python comes first in the path.
+  const std::string python = "/usr/bin/python3 ";
+  if (testing::run_command(folder(), python + "-c 'import numpy'").exit_code != 0) {
+    GTEST_SKIP() << "no numpy here: toolchains/install-packages.sh tests installs it";
+  }
   record(300);
   const ExportSummary summary = export_to("run.npz");
   EXPECT_EQ(summary.ticks, 300U);
