@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <charconv>
 #include <filesystem>
-#include <fstream>
 #include <vector>
 
-#include "host_tools/bake/scene/mapped_scene.h"
+#include "host_tools/cli/plot_scene.h"
+#include "host_tools/csv/csv_table.h"
 #include "host_tools/files/output_place.h"
 #include "host_tools/input_error.h"
 #include "host_tools/plot/bodies_strip.h"
@@ -20,9 +20,7 @@ namespace {
 
 // Returns true if the file's heading is that of --bodies.
 bool is_of_bodies(const std::string& file) {
-  std::ifstream stream(file);
-  std::string heading;
-  std::getline(stream, heading);
+  const std::string heading = csv_heading(file);
   return heading.find("body") != std::string::npos && heading.find("qw") != std::string::npos;
 }
 
@@ -71,7 +69,7 @@ void plot_bodies(const BodiesPlotOptions& options) {
         options.run));
   }
   const std::string& file = is_alone ? options.run : options.bodies;
-  const MappedScene scene(options.scene);
+  const PlotScene scene(options.scene, options.run);
   const auto bodies = static_cast<std::size_t>(std::ranges::count_if(
       scene.image().objects(), [](const rendering::Object& object) { return is_body(object); }));
   const std::vector<BodiesFrame> frames = read_bodies(file, bodies);
@@ -88,7 +86,9 @@ void plot_bodies(const BodiesPlotOptions& options) {
                      .columns = columns,
                      .title = fmt::format(
                          "{}: tools with the force on the hand; bodies with x red, y green, z blue",
-                         std::filesystem::path(options.scene).stem().string())},
+                         std::filesystem::path(options.scene.empty() ? options.run : options.scene)
+                             .stem()
+                             .string())},
                     picture);
   fmt::print("{}\n", picture.string());
 }

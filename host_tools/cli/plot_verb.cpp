@@ -7,12 +7,13 @@
 #include <memory>
 #include <string>
 
-#include "host_tools/bake/scene/mapped_scene.h"
 #include "host_tools/cli/plot_bodies.h"
 #include "host_tools/cli/plot_run.h"
+#include "host_tools/cli/plot_scene.h"
 #include "host_tools/cli/plot_steps.h"
 #include "host_tools/cli/plot_transitions.h"
 #include "host_tools/files/output_place.h"
+#include "host_tools/input_error.h"
 #include "host_tools/plot/figures.h"
 #include "host_tools/plot/gnuplot.h"
 #include "host_tools/plot/run_data.h"
@@ -21,10 +22,14 @@ namespace tactus::host {
 namespace {
 
 constexpr const char* kPlotExamples =
-    "Takes the CSV file of `tactus sim` or `tactus touch` and draws two pictures with gnuplot:\n"
-    "force and depth over time, and the proxy's path over the scene from two sides.\n"
+    "Takes a recording (.mcap), or a table (.csv) of `tactus sim`, `tactus touch`, tactusd or "
+    "`tactus export`, and draws\n"
+    "two pictures with gnuplot: force and depth over time, and the proxy's path over the scene "
+    "from two sides.\n"
     "\n"
     "Examples:\n"
+    "  tactus plot run.mcap                                  run_force.png and run_path.png, with "
+    "the scene that is inside\n"
     "  tactus plot run.csv --scene scene.tactus              writes run_force.png and run_path.png "
     "here\n"
     "  tactus plot run.csv --scene scene.tactus -o figures/  writes figures/run_force.png, ...\n"
@@ -72,19 +77,28 @@ PictureFormat format_named(const std::string& name) {
   return picture_format("picture." + name);
 }
 
+// Reads a run, and says if its end is missing.
+RunData whole_run(const std::string& file) {
+  RunData run = read_run(file);
+  if (run.is_cut) {
+    fmt::print(stderr, "tactus plot: warning: {} was cut off: its last ticks are missing\n", file);
+  }
+  return run;
+}
+
 void run_plot(const PlotOptions& options) {
-  const RunData run = read_run(options.run);
-  const MappedScene scene(options.scene);
-  const std::filesystem::path csv(options.run);
+  const PlotScene scene(options.scene, options.run);
+  const RunData run = whole_run(options.run);
+  const std::filesystem::path file(options.run);
   const FigureFiles files = figure_files(options.output.empty() ? "./" : options.output,
-                                         csv.stem().string(), format_named(options.format));
+                                         file.stem().string(), format_named(options.format));
   keep_inputs_safe({files.force, files.path, files.against},
                    {options.run, options.against, options.scene});
   make_folder_of(files.force);
-  plot_run({run, csv.filename().string()}, scene.image().objects(), files);
+  plot_run({run, file.filename().string()}, scene.image().objects(), files);
   if (!options.against.empty()) {
-    const RunData other = read_run(options.against);
-    draw_against_figure({run, csv.stem().string()},
+    const RunData other = whole_run(options.against);
+    draw_against_figure({run, file.stem().string()},
                         {other, std::filesystem::path(options.against).stem().string()},
                         files.against);
     fmt::print("{}\n", files.against.string());
@@ -97,10 +111,12 @@ void add_plot_verb(CLI::App& app) {
   CLI::App* verb = app.add_subcommand("plot", "Draw figures of a run: force, depth and the path");
   const auto options = std::make_shared<PlotOptions>();
   verb->add_option("run", options->run,
-                   "Run (CSV) of tactus sim or tactus touch, or with --explain its steps")
+                   "Recording (.mcap) or table (.csv) of a run, or with --explain its steps")
       ->required();
-  verb->add_option("--scene", options->scene,
-                   "Scene image (.tactus) of the run; --transitions can do without");
+  verb->add_option(
+      "--scene", options->scene,
+      "Scene image (.tactus) of the run; --transitions can do without, and a recording "
+      "has its own inside");
   verb->add_option(
       "-o,--output", options->output,
       "Folder or prefix of the pictures; one that ends in .svg, .pdf or .png gives that format. "
@@ -108,7 +124,7 @@ void add_plot_verb(CLI::App& app) {
   verb->add_option("--bodies", options->bodies,
                    "For --frames, the bodies (CSV) of the run; without it the run itself");
   CLI::Option* const against = verb->add_option(
-      "--against", options->against, "Another run (CSV), drawn over this one in a third figure");
+      "--against", options->against, "Another run, drawn over this one in a third figure");
   verb->add_option("--format", options->format, "Format of the pictures in a folder")
       ->check(CLI::IsMember({"png", "svg", "pdf"}))
       ->capture_default_str();
@@ -120,12 +136,18 @@ void add_plot_verb(CLI::App& app) {
       ->excludes(against);
   verb->footer(kPlotExamples);
   verb->callback([options] {
+    if (is_recording(options->run) && (options->transitions || options->steps->is_wanted)) {
+      throw InputError(fmt::format(
+          "{0}: a recording has no steps; let them be written: tactus replay {0} --explain "
+          "steps.csv",
+          options->run));
+    }
     if (options->transitions) {
       plot_transitions(options->run, options->scene, options->output,
                        format_named(options->format));
       return;
     }
-    if (options->scene.empty()) {
+    if (options->scene.empty() && !is_recording(options->run)) {
       throw CLI::RequiredError("--scene");
     }
     if (!options->steps->is_wanted && !options->steps->frames.empty()) {

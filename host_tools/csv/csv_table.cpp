@@ -31,20 +31,32 @@ std::string content_of(const std::filesystem::path& file) {
 
 }  // namespace
 
+std::string csv_heading(const std::filesystem::path& file) {
+  std::ifstream stream(file);
+  std::string heading;
+  std::getline(stream, heading);
+  return heading;
+}
+
 // Reads one file into a table.
 class CsvTable::Reader {
  public:
   Reader(const std::filesystem::path& file, CsvTable& table)
       : file_(file.string()), text_(content_of(file)), rows_(text_), table_(table) {}
 
-  void read(std::span<const std::string_view> required,
-            std::span<const std::string_view> optional) {
+  void read(std::span<const std::string_view> required, std::span<const std::string_view> optional,
+            std::span<const CsvWords> words) {
     const std::vector<std::string>* header = next_row();
     if (header == nullptr) {
       throw InputError(fmt::format("{}: empty; the first line must name the columns", file_));
     }
     find_columns(*header, required, true);
     find_columns(*header, optional, false);
+    for (const CsvWords& known : words) {
+      for (Place& place : places_) {
+        place.words = place.name == known.column ? known.words : place.words;
+      }
+    }
     width_ = header->size();
     while (const std::vector<std::string>* row = next_row()) {
       read_row(*row);
@@ -60,6 +72,8 @@ class CsvTable::Reader {
     std::size_t field = 0;
     std::vector<double>* values = nullptr;
     std::string_view name;
+    // The words that stand for the numbers from 0 on.
+    std::span<const std::string_view> words;
   };
 
   [[noreturn]] void fail(const std::string& what) const {
@@ -102,7 +116,11 @@ class CsvTable::Reader {
                        advice_on_width(row.size())));
     }
     for (const Place& place : places_) {
-      place.values->push_back(number_of(row[place.field], place.name));
+      const std::string& field = row[place.field];
+      const auto word = std::ranges::find(place.words, field);
+      place.values->push_back(word == place.words.end()
+                                  ? number_of(field, place.name)
+                                  : static_cast<double>(word - place.words.begin()));
     }
     table_.lines_.push_back(rows_.number());
   }
@@ -151,9 +169,10 @@ class CsvTable::Reader {
 
 CsvTable CsvTable::read(const std::filesystem::path& file,
                         std::span<const std::string_view> required,
-                        std::span<const std::string_view> optional) {
+                        std::span<const std::string_view> optional,
+                        std::span<const CsvWords> words) {
   CsvTable table;
-  Reader(file, table).read(required, optional);
+  Reader(file, table).read(required, optional, words);
   return table;
 }
 

@@ -12,11 +12,21 @@
 
 namespace tactus::host {
 
+// A column that has words: each stands for its number in the list. Numbers are taken, too.
+struct CsvWords {
+  std::string_view column;
+  std::span<const std::string_view> words;
+};
+
+// Returns the first line of a file, without its end; empty if it cannot be read.
+std::string csv_heading(const std::filesystem::path& file);
+
 // Holds the requested columns of one file; the others are skipped unread. Every row remembers its
 // line in the file, for messages of the caller.
 class CsvTable {
  public:
-  // Reads a file. Every name in `required` must be in the header; names in `optional` may be. The
+  // Reads a file. Every name in `required` must be in the header; names in `optional` may be.
+  // `words` are those of columns among both. The
   // header shows what separates columns: commas, semicolons or tabs. Numbers may have a decimal
   // comma where commas do not separate, and fields may be in quotes. Blank lines and a byte-order
   // mark are skipped. Throws InputError, one line that names the file, the line and the column,
@@ -26,7 +36,8 @@ class CsvTable {
   // rows.
   static CsvTable read(const std::filesystem::path& file,
                        std::span<const std::string_view> required,
-                       std::span<const std::string_view> optional = {});
+                       std::span<const std::string_view> optional = {},
+                       std::span<const CsvWords> words = {});
 
   // Returns the number of rows below the header, blank lines not counted; at least 1.
   [[nodiscard]] std::size_t rows() const { return lines_.size(); }

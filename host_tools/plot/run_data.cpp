@@ -1,82 +1,8 @@
 #include "host_tools/plot/run_data.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
-#include <array>
-#include <optional>
-#include <string_view>
-
-#include "host_tools/csv/csv_table.h"
-#include "host_tools/input_error.h"
 
 namespace tactus::host {
-namespace {
-
-constexpr std::array<std::string_view, 10> kRequired = {
-    "t_s",       "proxy_x_m", "proxy_y_m", "proxy_z_m", "force_x_N",
-    "force_y_N", "force_z_N", "contact",   "depth_m",   "friction_state"};
-constexpr std::string_view kMode = "mode";
-constexpr std::array<std::string_view, 3> kCommanded = {
-    "commanded_force_x_N", "commanded_force_y_N", "commanded_force_z_N"};
-constexpr std::array<std::string_view, 4> kOptional = {kCommanded[0], kCommanded[1], kCommanded[2],
-                                                       kMode};
-// The number of the mode `ready` in firmware::Mode.
-constexpr double kFirstLocatedMode = 2.0;
-
-Vec3 triple(const CsvTable& table, std::size_t row, std::string_view x, std::string_view y,
-            std::string_view z) {
-  return {table.column(x)[row], table.column(y)[row], table.column(z)[row]};
-}
-
-// Returns the state of a number in the file; nothing if it is none of them.
-std::optional<rendering::FrictionState> friction_state(double value) {
-  using enum rendering::FrictionState;
-  for (const rendering::FrictionState state : {free, stick, slip}) {
-    if (value == static_cast<double>(state)) {
-      return state;
-    }
-  }
-  return std::nullopt;
-}
-
-}  // namespace
-
-RunData read_run(const std::filesystem::path& file) {
-  const CsvTable table = CsvTable::read(file, kRequired, kOptional);
-  RunData run;
-  run.has_commanded =
-      std::ranges::all_of(kCommanded, [&](std::string_view name) { return table.has(name); });
-  run.rows.reserve(table.rows());
-  for (std::size_t i = 0; i < table.rows(); ++i) {
-    RunRow row;
-    row.t_s = table.column("t_s")[i];
-    if (i > 0 && row.t_s <= run.rows.back().t_s) {
-      throw InputError(fmt::format("{}:{}: column t_s: {} does not come after {}", file.string(),
-                                   table.line(i), row.t_s, run.rows.back().t_s));
-    }
-    row.proxy_W = triple(table, i, "proxy_x_m", "proxy_y_m", "proxy_z_m");
-    row.force_W = triple(table, i, "force_x_N", "force_y_N", "force_z_N");
-    row.force_N = row.force_W.norm();
-    row.commanded_N = run.has_commanded
-                          ? triple(table, i, kCommanded[0], kCommanded[1], kCommanded[2]).norm()
-                          : row.force_N;
-    row.depth_m = table.column("depth_m")[i];
-    row.contact = table.column("contact")[i] != 0.0;
-    // firmware::Mode: before homing is over the tool's position means nothing.
-    row.located = !table.has(kMode) || table.column(kMode)[i] >= kFirstLocatedMode;
-    const double friction = table.column("friction_state")[i];
-    const std::optional<rendering::FrictionState> state = friction_state(friction);
-    if (!state) {
-      throw InputError(
-          fmt::format("{}:{}: column friction_state: {} is none of 0 (free), 1 (stick), 2 (slip)",
-                      file.string(), table.line(i), friction));
-    }
-    row.friction = *state;
-    run.rows.push_back(row);
-  }
-  return run;
-}
 
 std::vector<std::size_t> thin(const std::vector<RunRow>& rows, std::size_t limit) {
   std::vector<std::size_t> kept;

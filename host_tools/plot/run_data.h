@@ -1,5 +1,5 @@
-// The columns of a run that the figures need, whether `tactus sim` or `tactus touch` wrote the
-// file.
+// The columns of a run that the figures need, whether it is a recording or a table that `tactus
+// sim`, `tactus touch`, tactusd or `tactus export` wrote.
 #pragma once
 
 #include <cstddef>
@@ -39,9 +39,15 @@ struct RunData {
   std::vector<RunRow> rows;
   // True if the file has the force after the safety limits.
   bool has_commanded = false;
+  // True if the recording was cut off by a crash: its last ticks are missing.
+  bool is_cut = false;
 };
 
-// Reads a run. Throws InputError, one line that names file, line and column.
+// Returns true if the file's name is that of a recording (.mcap).
+bool is_recording(const std::filesystem::path& file);
+
+// Reads a run: a recording by its extension, a table otherwise. Throws InputError, one line that
+// names the file, and line and column of a table.
 RunData read_run(const std::filesystem::path& file);
 
 // Returns the rising indices of at most about `limit` rows that look like all of them: the first

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cstdlib>
-#include <fstream>
 #include <iomanip>
+#include <memory>
 #include <sstream>
 
 #include "firmware/configuration/config_state.h"
@@ -27,28 +27,10 @@ std::string checksum_text(std::span<const std::byte> image) {
 
 }  // namespace
 
-RecordedRun::Image RecordedRun::copy(std::span<const std::byte> bytes) {
-  Image image{.lines = std::vector<Line>((bytes.size() + sizeof(Line) - 1) / sizeof(Line)),
-              .size = bytes.size()};
-  std::ranges::copy(bytes, std::as_writable_bytes(std::span(image.lines)).begin());
-  return image;
-}
-
-RecordedRun::Image RecordedRun::read(const std::string& file) {
-  std::ifstream stream(file, std::ios::binary);
-  std::ostringstream content;
-  content << stream.rdbuf();
-  if (!stream) {
-    throw InputError(file + ": cannot read");
-  }
-  const std::string text = std::move(content).str();
-  return copy(std::as_bytes(std::span(text)));
-}
-
-RecordedRun::Image RecordedRun::image(const std::string& file, const Wanted& wanted) const {
-  Image found = file.empty() ? copy(wanted.inside) : read(file);
+ImageCopy RecordedRun::image(const std::string& file, const Wanted& wanted) const {
+  ImageCopy found = file.empty() ? ImageCopy(wanted.inside) : ImageCopy::read(file);
   const std::string known(recording_.info(wanted.checksum_key));
-  if (found.size == 0) {
+  if (found.is_empty()) {
     if (!known.empty()) {
       throw InputError(name_ + ": it does not hold the image " + std::string(wanted.attachment) +
                        " that it was made with (checksum " + known + "); give it");
@@ -81,7 +63,7 @@ void RecordedRun::take_device(const std::string& file) {
   device_image_ = image(file, {.attachment = firmware::kDeviceAttachment,
                                .checksum_key = firmware::kDeviceChecksumKey,
                                .inside = recording_.attachment(firmware::kDeviceAttachment)});
-  if (device_image_.size == 0) {
+  if (device_image_.is_empty()) {
     throw InputError(name_ + ": it does not say what device it is of; give --device D.tactus");
   }
   const auto sections = std::make_unique<firmware::DeviceSections>();
@@ -103,43 +85,24 @@ void RecordedRun::take_device(const std::string& file) {
   }
 }
 
-RecordedRun::Scene RecordedRun::open(Image image, const std::string& name) {
-  Scene scene{.image = std::move(image)};
-  if (scene.image.size == 0) {
-    return scene;
-  }
-  auto opened = rendering::SceneImage::open(scene.image.bytes());
-  if (!opened) {
-    std::array<char, 256> room{};
-    throw InputError(name + ": " + std::string(rendering::describe(opened.error(), room)));
-  }
-  scene.scene = std::make_unique<rendering::SceneImage>(*opened);
-  return scene;
-}
-
-// Each change of the scene adds an attachment, an empty one if the image was too large. The scene
-// that the run began with, if it was attached at all, comes before them; so it is the surplus over
-// the number of changes that decides whether it is there.
 void RecordedRun::take_scenes(const std::string& file) {
-  const auto inside = recording_.attachments(firmware::kSceneAttachment);
+  const RecordedScenes inside = recorded_scenes(recording_);
   const std::string own_name = name_ + ": the scene's image";
   for (const firmware::TelemetryEvent& event : recording_.events()) {
     if (event.kind == firmware::EventKind::scene) {
       changes_.push_back({.tick = event.tick});
     }
   }
-  const bool has_first = inside.size() > changes_.size();
-  const std::size_t behind_first = inside.size() - std::min(inside.size(), changes_.size());
-  for (std::size_t i = 0; behind_first + i < inside.size(); ++i) {
-    changes_[i].to = open(copy(inside[behind_first + i]), own_name);
+  for (std::size_t i = 0; i < inside.later.size(); ++i) {
+    changes_[i].to = SceneCopy(ImageCopy(inside.later[i]), own_name);
   }
-  first_ = open(image(file, {.attachment = firmware::kSceneAttachment,
-                             .checksum_key = firmware::kSceneChecksumKey,
-                             .inside = has_first ? inside.front() : std::span<const std::byte>{}}),
-                file.empty() ? own_name : file);
-  if (first_.scene != nullptr) {
-    setup_.objects = first_.scene->objects();
-    setup_.world = rendering::world_of(*first_.scene);
+  first_ = SceneCopy(image(file, {.attachment = firmware::kSceneAttachment,
+                                  .checksum_key = firmware::kSceneChecksumKey,
+                                  .inside = inside.first}),
+                     file.empty() ? own_name : file);
+  if (scene() != nullptr) {
+    setup_.objects = scene()->objects();
+    setup_.world = rendering::world_of(*scene());
   }
 }
 
@@ -148,13 +111,13 @@ const rendering::SceneImage* RecordedRun::changed_scene(std::uint64_t tick) cons
   if (change == changes_.end()) {
     return nullptr;
   }
-  if (change->to.scene == nullptr) {
+  if (change->to.scene() == nullptr) {
     throw InputError(name_ + ": before tick " + std::to_string(tick) +
                      " the scene was changed, and the image " +
                      std::string(firmware::kSceneAttachment) +
                      " of the new one is not inside: nothing can be replayed beyond that");
   }
-  return change->to.scene.get();
+  return change->to.scene();
 }
 
 std::span<const std::byte> RecordedRun::state() const {

@@ -2,16 +2,14 @@
 // the controller's state before the first recorded tick. `tactus replay` and the tests build on it.
 #pragma once
 
-#include <array>
 #include <cstddef>
-#include <memory>
 #include <span>
 #include <string>
 #include <vector>
 
+#include "host_tools/recording/image_copy.h"
 #include "host_tools/recording/recording.h"
 #include "host_tools/replay/replayer.h"
-#include "rendering/scene/image_format.h"
 #include "rendering/scene/scene_image.h"
 
 namespace tactus::host {
@@ -36,7 +34,7 @@ class RecordedRun {
   // Returns the run's setup. Its spans are valid as long as this object.
   [[nodiscard]] const ReplaySetup& setup() const { return setup_; }
   // Returns the scene that the run began with, or nullptr if it had none.
-  [[nodiscard]] const rendering::SceneImage* scene() const { return first_.scene.get(); }
+  [[nodiscard]] const rendering::SceneImage* scene() const { return first_.scene(); }
   // Returns the scene that the run changed to before this tick, or nullptr if it kept its scene.
   // Throws InputError if that image is not in the recording.
   [[nodiscard]] const rendering::SceneImage* changed_scene(std::uint64_t tick) const;
@@ -45,29 +43,11 @@ class RecordedRun {
   [[nodiscard]] std::span<const std::byte> state() const;
 
  private:
-  // One cache line of memory: images must be aligned to it.
-  struct alignas(rendering::kCacheLine) Line {
-    std::array<std::byte, rendering::kCacheLine> bytes;
-  };
-  // An image in aligned memory; `size` is its length in bytes without the padding of the last line.
-  struct Image {
-    std::vector<Line> lines;
-    std::size_t size = 0;
-
-    [[nodiscard]] std::span<const std::byte> bytes() const {
-      return std::as_bytes(std::span(lines)).first(size);
-    }
-  };
-  // A scene and the image that it points into.
-  struct Scene {
-    Image image;
-    std::unique_ptr<rendering::SceneImage> scene;
-  };
   struct SceneChange {
     // The first tick with the new scene.
     std::uint64_t tick = 0;
-    // Empty if the image was too large for the recording.
-    Scene to;
+    // No scene if the image was too large for the recording.
+    SceneCopy to;
   };
   // An image that the run needs: the name of its attachment, the key of its checksum in the run's
   // information, and the recording's own copy, which may be empty.
@@ -78,20 +58,17 @@ class RecordedRun {
   };
   // Returns the user's file if one is named, else the recording's copy; an empty image if there is
   // neither and the run noted no checksum. Throws InputError.
-  [[nodiscard]] Image image(const std::string& file, const Wanted& wanted) const;
-  static Image read(const std::string& file);
-  static Image copy(std::span<const std::byte> bytes);
+  [[nodiscard]] ImageCopy image(const std::string& file, const Wanted& wanted) const;
   // Takes the configuration: from the user's file, else from the recorded configuration, else from
   // the recorded device image.
   void take_device(const std::string& file);
-  static Scene open(Image image, const std::string& name);
   // Takes the first scene and all later ones.
   void take_scenes(const std::string& file);
 
   std::string name_;
   Recording recording_;
-  Image device_image_;
-  Scene first_;
+  ImageCopy device_image_;
+  SceneCopy first_;
   std::vector<SceneChange> changes_;
   ReplaySetup setup_;
 };
