@@ -51,13 +51,15 @@ struct SimOptions {
   std::string scene;
   SimFiles files;
   bool json = false;
+  // True: a recording may replace a file that is there.
+  bool may_overwrite = false;
   bool serve = false;
   ServeOptions serving{.run_dir = std::string(kDefaultRunDir)};
   RunOptions run;
 };
 
-// Throws InputError if an output is an input or another output, or if several devices would share a
-// pipe.
+// Throws InputError if an output is an input or another output, if several devices would share a
+// pipe, or if a recording is there that may not be overwritten.
 void check_files(const SimOptions& options, std::size_t devices) {
   const SimFiles& files = options.files;
   std::vector<std::filesystem::path> inputs(options.run.paths.begin(), options.run.paths.end());
@@ -70,6 +72,9 @@ void check_files(const SimOptions& options, std::size_t devices) {
     }
   }
   keep_inputs_safe(outputs, inputs);
+  for (std::size_t i = 0; i < devices; ++i) {
+    check_recording_name(file_of_tool(files.record, i), options.may_overwrite);
+  }
 }
 
 // Prints the summaries: to standard error if the rows go to standard output.
@@ -132,7 +137,10 @@ void add_sim_verb(CLI::App& app) {
   verb->add_option("--hashes", options->files.hashes,
                    "Write the state hash of every tick to this file");
   verb->add_option("--record", options->files.record,
-                   "Record the run to this file: .mcap, for tactus replay, or .csv");
+                   "Record the run to this file: .mcap, for tactus replay, or .csv; one that is "
+                   "there is kept");
+  verb->add_flag("--overwrite", options->may_overwrite, "Let --record replace a file that is there")
+      ->needs("--record");
   verb->add_option(
       "--explain", options->files.explain,
       "Write every step of every tick to this CSV file (host_tools/explain/README.md)");

@@ -30,7 +30,9 @@ bool read_value(std::string_view option, const char* value, Options& options) {
   double number = 0.0;
   if (option == "--record") {
     options.record = value;
-    return value != nullptr || complain("no file after", option);
+    const std::string_view name = value == nullptr ? "" : value;
+    return name.ends_with(".mcap") || name.ends_with(".csv") ||
+           complain("give a file that ends in .mcap or .csv after", option);
   }
   if (option == "--flight-dir") {
     options.flight_dir = value;
@@ -119,7 +121,9 @@ void print_usage(std::FILE* file) {
       "          terminal goes\n"
       "  --record FILE         write every tick to an MCAP file, or as CSV if the name ends in "
       ".csv;\n"
-      "                        of several devices to FILE.mcap, FILE.2.mcap, ...\n"
+      "                        of several devices to FILE.mcap, FILE.2.mcap, ...; one that is "
+      "there is kept\n"
+      "  --overwrite           let --record replace files that are there\n"
       "  --flight-dir DIR      after a fault, and at SIGUSR1, write the last seconds there; "
       "default:\n"
       "                        this folder. tactus replay lives them once more\n"
@@ -170,6 +174,8 @@ bool parse_options(int argc, const char* const* argv, Options& options) {
     }
     if (argument == "--enable") {
       options.enable = true;
+    } else if (argument == "--overwrite") {
+      options.overwrite = true;
     } else if (argument == "--allow-non-realtime") {
       options.allow_non_realtime = true;
     } else if (argument == "--allow-inject") {

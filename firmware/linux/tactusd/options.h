@@ -24,6 +24,8 @@ struct Options {
   const char* scene = nullptr;
   // The file of the first device's recording, .mcap or .csv; null: no recording.
   const char* record = nullptr;
+  // True: a recording may replace a file that is there.
+  bool overwrite = false;
   // The folder for the flight recorder's files.
   const char* flight_dir = ".";
   // The folder for the sockets of the first device; null: kRunFolder.

@@ -1,6 +1,7 @@
 #include "firmware/linux/tactusd/run_telemetry.h"
 
 #include <algorithm>
+#include <cerrno>
 #include <cinttypes>
 #include <cstdio>
 #include <cstring>
@@ -70,7 +71,15 @@ bool RunTelemetry::open_recording(const Options& options) {
     text.text(".").number(device_ + 1);
   }
   text.text(ending);
-  return succeeds(record_.data(), writer_.record(record_.data()));
+  const int failed =
+      writer_.record(record_.data(), options.overwrite ? IfThere::replace : IfThere::refuse);
+  if (failed == EEXIST) {
+    std::fprintf(stderr,
+                 "tactusd: %s: this file is there and is kept; name another, or say --overwrite\n",
+                 record_.data());
+    return false;
+  }
+  return succeeds(record_.data(), failed);
 }
 
 FlightPlan RunTelemetry::flight_plan(const Options& options) const {

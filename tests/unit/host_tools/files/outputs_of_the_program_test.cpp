@@ -67,6 +67,32 @@ TEST_F(OutputsOfTheProgram, NeverReplaceAnInput) {
   expect_kept("path.csv", "friction --motion path.csv -o path.csv", "is the input");
 }
 
+TEST_F(OutputsOfTheProgram, KeepARecordingUnlessItMayBeOverwritten) {
+  const std::string record = "sim scene.tactus --seconds 1 --record ";
+  EXPECT_EQ(run(record + "kept.mcap").exit_code, 0);
+  EXPECT_EQ(run(record + "two.2.csv --device falcon").exit_code, 0);
+  expect_kept("kept.mcap", record + "kept.mcap",
+              "kept.mcap: this file is there and is kept; name another, or say --overwrite");
+  expect_kept("kept.mcap", record + "kept.mcap --serve --run-dir .", "is there and is kept");
+  expect_kept("two.2.csv", record + "two.csv --device falcon --path path.csv --path path.csv",
+              "two.2.csv: this file is there and is kept");
+  EXPECT_FALSE(std::filesystem::exists(folder.path() / "two.csv"));
+  const std::string before = content("kept.mcap");
+  EXPECT_EQ(run(record + "kept.mcap --device falcon --overwrite").exit_code, 0);
+  EXPECT_NE(content("kept.mcap"), before);
+}
+
+TEST_F(OutputsOfTheProgram, ARecordingIsWhatItsNameSays) {
+  for (const std::string name : {"run.txt", "run", "run.MCAP"}) {
+    const Outcome result = run("sim scene.tactus --seconds 1 --record " + name);
+    EXPECT_EQ(result.exit_code, 2);
+    EXPECT_TRUE(contains(result.output, name + ": the name of a recording ends in .mcap, or in "
+                                               ".csv for a table"))
+        << result.output;
+    EXPECT_FALSE(std::filesystem::exists(folder.path() / name));
+  }
+}
+
 TEST_F(OutputsOfTheProgram, NeverReplaceABakedImageByOtherThings) {
   expect_kept("other.tactus", "touch scene.tactus --path path.csv -o other.tactus",
               "is a baked image");
@@ -101,7 +127,8 @@ TEST_F(OutputsOfTheProgram, OnAFullDiskSayItAndLeaveTheOldFile) {
   (void)folder.write("long.csv", path);
   for (const char* const arguments :
        {"touch scene.tactus --path long.csv -o run.csv", "sim scene.tactus --seconds 1 -o run.csv",
-        "friction --motion long.csv -o run.csv", "sim scene.tactus --seconds 1 --record run.csv"}) {
+        "friction --motion long.csv -o run.csv",
+        "sim scene.tactus --seconds 1 --overwrite --record run.csv"}) {
     const std::string before = content("run.csv");
     const Outcome result = run_on_a_full_disk(arguments);
     EXPECT_EQ(result.exit_code, 2) << arguments;

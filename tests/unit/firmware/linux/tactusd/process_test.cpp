@@ -144,6 +144,24 @@ TEST(TactusdSecond, DoesNotStartWithoutAFolderForItsStop) {
   EXPECT_NE(bench.log().find("no such folder"), std::string::npos) << bench.log();
 }
 
+TEST(TactusdRecording, ThatIsThereIsKeptUnlessItMayBeOverwritten) {
+  const TactusdBench bench;
+  const std::string file = bench.folder() / "run.mcap";
+  std::ofstream(file) << "mine";
+  EXPECT_EQ(WEXITSTATUS(wait_for_end(bench.start({"--record", file}))), 2);
+  EXPECT_NE(bench.log().find("is there and is kept; name another, or say --overwrite"),
+            std::string::npos)
+      << bench.log();
+  EXPECT_EQ(fs::file_size(file), 4U);
+  (void)wait_for_end(bench.start({"--record", file, "--overwrite", "--seconds", "0.2"}));
+  EXPECT_GT(fs::file_size(file), 4U) << bench.log();
+
+  EXPECT_EQ(WEXITSTATUS(wait_for_end(bench.start({"--record", "run.txt"}))), 2);
+  EXPECT_NE(bench.log().find("give a file that ends in .mcap or .csv after --record"),
+            std::string::npos)
+      << bench.log();
+}
+
 // Each in place: the file keeps its inode, as with cp or an editor.
 TEST(TactusdImages, LiveOnWhateverHappensToTheirFiles) {
   const auto [held, process] = start_pushing();
