@@ -13,12 +13,14 @@ all_stages=(
   "asan-ubsan        build_and_test.sh asan-ubsan test_programs"
   "tsan              threads.sh"
   "aarch64           build_and_test.sh aarch64 test_programs replay_recording tactusd"
+  "armhf-core        build_and_test.sh armhf-quick hal_tests drivers_tests firmware_tests replay_tests"
+  "riscv64           build_and_test.sh riscv64 hal_tests drivers_tests firmware_tests rendering_tests replay_tests"
   "cortex-m7         build.sh cortex-m7"
   "m7-image          m7_image.sh"
   "fuzz              fuzz.sh"
   "rig               rig.sh"
   "same-bits         same_bits.sh"
-  "replay-on-arm     replay_on_arm.sh"
+  "replay-elsewhere  replay_elsewhere.sh"
   "heap-check        heap_check_catches_offences.sh"
   "include-check     include_check_catches_offences.sh"
   "tidy-check        tidy_catches_offences.sh"
@@ -36,7 +38,7 @@ soak_stages=(
   "aarch64-tools     linux_board.sh aarch64 arm64 qemu-aarch64-static all"
   "packages-arm64    debian_packages.sh arm64"
   "packages-armhf    debian_packages.sh armhf"
-  "armhf             linux_board.sh armhf-quick armhf qemu-arm-static tactus tactusd firmware_tests"
+  "armhf             linux_board.sh armhf-quick armhf qemu-arm-static tactus tactusd rendering_tests"
 )
 known_stages=("${stages[@]}" "${all_stages[@]}" "${soak_stages[@]}")
 
@@ -44,7 +46,7 @@ usage() {
   cat <<END
 usage: tests/run.sh [--all] [--only STAGE]... [--soak] [--help]
 Without options: every test once, optimised, and the checks of links and format.
-  --all          the sanitizers, Arm, bare metal, fuzzing, the emulated machine, planted faults, clang-tidy, ... as well
+  --all          the sanitizers, Arm, RISC-V, bare metal, fuzzing, the emulated machine, planted faults, clang-tidy, ... as well
   --only STAGE   run this stage only; may be repeated
   --soak         all of that, with random tests a hundred times as long, the loop a minute for each rate and device, and
                  $(printf '%s\n' "${soak_stages[@]}" | awk '{print $1}' | paste -sd' ')
@@ -122,8 +124,7 @@ run_stage() {
 }
 
 groups=(demo tests)
-if [[ -n "$all" || -n "${TACTUS_SOAK:-}" || ${#only[@]} -gt 0 ]]; then groups+=(rig aarch64 cortex-m7 packaging); fi
-if [[ -n "${TACTUS_SOAK:-}" || ${#only[@]} -gt 0 ]]; then groups+=(armhf); fi
+if [[ -n "$all" || -n "${TACTUS_SOAK:-}" || ${#only[@]} -gt 0 ]]; then groups+=(rig aarch64 armhf riscv64 cortex-m7 packaging); fi
 toolchains/install-packages.sh "${groups[@]}"
 for stage in "${stages[@]}"; do
   read -r name script arguments <<<"$stage"

@@ -203,7 +203,8 @@ TEST(Restore, AStateThatFindsNoRoomIsLeftAsItWas) {
   for (std::size_t tick = 0; tick < ticks; ++tick) {
     const std::size_t size = saved->save(bytes);
     ASSERT_GT(size, 0U) << "tick " << tick;
-    ASSERT_EQ(saved->save(std::span(bytes).first(random() % size)), 0U) << "tick " << tick;
+    ASSERT_EQ(saved->save(std::span(bytes).first(static_cast<std::size_t>(random() % size))), 0U)
+        << "tick " << tick;
     const TickInput input = walk.next(alone->mode());
     give(*saved, input);
     give(*alone, input);

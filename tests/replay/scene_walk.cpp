@@ -80,12 +80,13 @@ TickInput SceneWalk::next(Mode mode) {
 // speed is a micrometre to a millimetre a tick, and a millimetre from far away.
 void SceneWalk::choose_target() {
   if (chance(0.1)) {
-    object_ = random_() % objects_.size();
+    object_ = static_cast<std::size_t>(random_() % objects_.size());
   }
   const rendering::Object& object = objects_[object_];
   if (object.surface == rendering::SurfaceKind::mesh) {
     const auto& vertices = object.mesh.vertices;
-    const Vec3 vertex = rendering::to_vec3(vertices[random_() % vertices.size()]);
+    const Vec3 vertex =
+        rendering::to_vec3(vertices[static_cast<std::size_t>(random_() % vertices.size())]);
     target_ = vertex + 0.005 * noise();
   } else {
     const rendering::Bounds box = rendering::bounds_of(object);
@@ -104,7 +105,8 @@ firmware::ParameterChange SceneWalk::change() {
   const auto& all = firmware::kParameterTexts;
   const auto numbers = static_cast<std::size_t>(
       std::ranges::count_if(all, [](const auto& one) { return !has_choices(one.parameter); }));
-  const auto& text = all[random_() % (sets_methods_ ? all.size() : numbers)];
+  const auto& text =
+      all[static_cast<std::size_t>(random_() % (sets_methods_ ? all.size() : numbers))];
   const double share = std::abs(unit());
   const ParameterPlace place{.parameter = text.parameter,
                              .object = static_cast<std::uint32_t>(random_() % objects_.size())};

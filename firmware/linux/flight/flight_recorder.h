@@ -77,8 +77,8 @@ class FlightRecorder {
   static constexpr std::uint64_t kNoTick = ~std::uint64_t{0};
   static constexpr std::size_t kNoState = kStates;
 
-  // The thread that may use a state's bytes.
-  enum class Use : std::uint8_t { nobody, loop, reader };
+  // The thread that may use a state's bytes. A word: RISC-V has no atomic bytes.
+  enum class Use : std::uint32_t { nobody, loop, reader };
   struct State {
     std::atomic<Use> use{Use::nobody};
     std::atomic<std::uint64_t> first_tick{kNoTick};  // the first tick after the state

@@ -18,9 +18,10 @@ constexpr int kMostWait_ms = 1000;
 // The variables that the signal handler uses.
 void (*stop_motors)() = nullptr;
 pid_t loop_thread = 0;
-std::atomic<bool> helper_crashed{false};
-std::atomic<bool> motors_stopped{false};
-static_assert(std::atomic<bool>::is_always_lock_free);
+// Words, 1 for true: RISC-V has no atomic bytes.
+std::atomic<int> helper_crashed{0};
+std::atomic<int> motors_stopped{0};
+static_assert(std::atomic<int>::is_always_lock_free);
 
 // Sets the handler of all crashes. It runs on the thread's crash stack.
 int set_handler(void (*handler)(int)) {
@@ -52,8 +53,8 @@ void set_alarm() {
 // is safe in a signal handler.
 void wait_for_the_loop() {
   constexpr timespec kMillisecond{.tv_sec = 0, .tv_nsec = 1'000'000};
-  helper_crashed.store(true, std::memory_order_relaxed);
-  for (int i = 0; i < kMostWait_ms && !motors_stopped.load(std::memory_order_acquire); ++i) {
+  helper_crashed.store(1, std::memory_order_relaxed);
+  for (int i = 0; i < kMostWait_ms && motors_stopped.load(std::memory_order_acquire) == 0; ++i) {
     nanosleep(&kMillisecond, nullptr);
   }
 }
@@ -103,11 +104,11 @@ int catch_crashes(void (*stop)()) {
 }
 
 bool has_helper_crashed() {
-  return helper_crashed.load(std::memory_order_relaxed);
+  return helper_crashed.load(std::memory_order_relaxed) != 0;
 }
 
 void end_in_crash() {
-  motors_stopped.store(true, std::memory_order_release);
+  motors_stopped.store(1, std::memory_order_release);
   // The crashed thread raises its signal again when it sees motors_stopped, and that ends the
   // program.
   for (;;) {

@@ -84,7 +84,7 @@ TEST(FormulaCheck, WhatItLetsThroughOfRandomBytesCanBeEvaluated) {
   std::size_t passed = 0;
   for (int run = 0; run < 200'000; ++run) {
     List list = coordinates();
-    const std::size_t more = random() % 6;
+    const auto more = static_cast<std::size_t>(random() % 6);
     for (std::size_t i = 0; i < more; ++i) {
       auto instruction =
           std::bit_cast<Instruction>(std::array<std::uint64_t, 2>{random(), random()});
@@ -111,7 +111,7 @@ TEST(FormulaCheck, WhatItLetsThroughOfRandomBytesCanBeEvaluated) {
 List random_list(std::mt19937_64& random) {
   std::uniform_real_distribution<double> constant(-3.0, 3.0);
   List list = coordinates();
-  const std::size_t size = 4U + random() % 12U;
+  const auto size = static_cast<std::size_t>(4U + random() % 12U);
   while (list.size() < size) {
     Instruction i{.opcode = static_cast<Opcode>(random() % kOpcodes), .constant = constant(random)};
     const auto operand = [&] { return static_cast<std::uint16_t>(random() % list.size()); };

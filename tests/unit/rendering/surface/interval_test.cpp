@@ -28,7 +28,7 @@ double any_end(std::mt19937_64& random) {
   std::uniform_real_distribution<double> mantissa(-2.0, 2.0);
   const int kind = static_cast<int>(random() % 8U);
   if (kind == 0) {
-    return kSpecial.at(random() % kSpecial.size());
+    return kSpecial.at(static_cast<std::size_t>(random() % kSpecial.size()));
   }
   const int exponent =
       kind == 1 ? static_cast<int>(random() % 2000U) - 1000 : static_cast<int>(random() % 8U) - 4;
