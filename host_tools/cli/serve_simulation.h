@@ -2,6 +2,7 @@
 // tactusd.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <string>
 
@@ -16,6 +17,9 @@ struct ServeOptions {
   std::filesystem::path run_dir;
   // True if `tactus inject` may raise faults.
   bool allow_inject = false;
+  // The port of this machine that gets JSON of the first device, and the next one that of the
+  // second; 0: none.
+  std::uint16_t udp_port = 0;
   // A file that records the run of the first device from its first tick, and run.2.mcap beside
   // run.mcap that of the second; empty: none.
   std::string record;

@@ -7,6 +7,7 @@
 #include <span>
 
 #include "firmware/linux/flight/attachments.h"
+#include "firmware/linux/telemetry/udp_json.h"
 #include "hal/linux/system.h"
 #include "host_tools/files/output_place.h"
 #include "host_tools/input_error.h"
@@ -34,6 +35,9 @@ void ServedTelemetry::start(const Simulation& simulation, std::size_t device,
   if (const int error = writer_->open_live_socket(socket.c_str()); error != 0) {
     refuse_folder(socket, "cannot be opened", error);
   }
+  if (const int error = open_udp(options.udp_port, rate_hz); error != 0) {
+    throw InputError(fmt::format("--udp-json {}: {}", options.udp_port, std::strerror(error)));
+  }
   describe(simulation, scenes, rate_hz);
   const std::string file = file_of_tool(options.record, device).string();
   if (const int error = file.empty() ? 0 : writer_->record(file.c_str()); error != 0) {
@@ -42,6 +46,14 @@ void ServedTelemetry::start(const Simulation& simulation, std::size_t device,
   if (const int error = writer_->start(); error != 0) {
     refuse_folder(socket, "no thread", error);
   }
+}
+
+int ServedTelemetry::open_udp(std::uint16_t first_port, double rate_hz) {
+  if (first_port == 0) {
+    return 0;
+  }
+  return writer_->open_udp(static_cast<std::uint16_t>(first_port + device_),
+                           static_cast<std::uint32_t>(rate_hz / firmware::kUdpRate_Hz));
 }
 
 void ServedTelemetry::publish(firmware::Controller& controller, const hal::Wake& wake) {

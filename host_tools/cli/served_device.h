@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <memory>
 #include <string>
@@ -47,6 +48,8 @@ class ServedTelemetry {
     std::array<firmware::MetadataEntry, 6> entries;
   };
 
+  // Sends ticks to the port of this device, if there is a first port. Returns 0 or errno.
+  int open_udp(std::uint16_t first_port, double rate_hz);
   // Gives the writer the run's properties, its scene and its configuration.
   void describe(const Simulation& simulation, const firmware::SceneStore& scenes, double rate_hz);
 

@@ -43,6 +43,7 @@ constexpr const char* kSimExamples =
     "    --output run.csv --bodies bodies.csv         two devices in one world: run.csv and "
     "run.2.csv\n"
     "  tactus sim scene.tactus --seconds 600 --json | jq .simulated_s_per_s\n"
+    "  tactus sim scene.tactus --serve --udp-json 9870   live curves in PlotJuggler\n"
     "  tactus sim scene.tactus --device falcon --serve --run-dir /tmp/tactus\n"
     "    then, elsewhere: export TACTUS_RUN_DIR=/tmp/tactus; tactus home --wait; tactus enable";
 
@@ -92,7 +93,11 @@ void print(const SimOptions& options, const std::vector<RunSummary>& summaries) 
 
 void run_sim(const SimOptions& options) {
   if (options.serve) {
-    check_files(options, 1);
+    check_files(options, device_count(options.run));
+    if (options.serving.udp_port + device_count(options.run) - 1 > 65535) {
+      throw InputError(fmt::format("--udp-json {}: each device needs a port, up to 65535",
+                                   options.serving.udp_port));
+    }
     ServeOptions serving = options.serving;
     serving.record = options.files.record;
     serve_simulation(options.scene, options.run, serving);
@@ -162,6 +167,12 @@ void add_sim_verb(CLI::App& app) {
       ->capture_default_str();
   verb->add_flag("--allow-inject", options->serving.allow_inject,
                  "Let tactus inject raise faults in --serve")
+      ->needs(serve);
+  verb->add_option(
+          "--udp-json", options->serving.udp_port,
+          "With --serve, send 100 ticks a second as JSON to this UDP port of this machine; "
+          "the second device sends to the next one. PlotJuggler listens at 9870")
+      ->check(CLI::Range(1, 65535))
       ->needs(serve);
   for (const char* const other :
        {"--output", "--hashes", "--explain", "--bodies", "--body-energy", "--fault", "--json"}) {

@@ -10,6 +10,7 @@
 #include "firmware/configuration/config_state.h"
 #include "firmware/linux/flight/attachments.h"
 #include "firmware/linux/tactusd/run_folder.h"
+#include "firmware/linux/telemetry/udp_json.h"
 #include "hal/linux/system.h"
 #include "rendering/scene/image_format.h"
 
@@ -17,8 +18,6 @@ namespace tactus::firmware {
 namespace {
 
 constexpr std::string_view kLiveSocketName = "/telemetry.sock";
-// PlotJuggler draws a hundred points a second.
-constexpr double kUdpRate_Hz = 100.0;
 
 // Returns CLOCK_REALTIME minus CLOCK_MONOTONIC, ns: a recording's times are since 1970.
 std::int64_t realtime_offset_ns() {

@@ -17,6 +17,9 @@ inline constexpr std::size_t kMaxDatagramBytes = 2000;
 // The port that PlotJuggler's UDP server suggests.
 inline constexpr std::uint16_t kPlotJugglerPort = 9870;
 
+// The rate at which programs send ticks, 1/s: PlotJuggler draws a hundred points a second.
+inline constexpr double kUdpRate_Hz = 100.0;
+
 // Writes a tick into `room` as one JSON object and returns the text. Numbers have nine digits;
 // values that are not finite become null.
 std::span<const char> write_json(const RecordedTick& tick,
