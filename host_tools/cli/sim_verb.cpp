@@ -14,6 +14,7 @@
 #include "host_tools/cli/sim_outputs.h"
 #include "host_tools/cli/simulate.h"
 #include "host_tools/files/output_place.h"
+#include "host_tools/input_error.h"
 #include "host_tools/remote/remote.h"
 #include "host_tools/simulation/run.h"
 
