@@ -3,6 +3,7 @@
 #include "rendering/objects/vertex_wave.h"
 
 #include <bit>
+#include <cstdint>
 #include <memory>
 
 #include "rendering/geometry/floats.h"
@@ -22,9 +23,15 @@ Pair heights_of(const SineCosine* angles, Pair turned, Pair wave_m) {
                    __builtin_shufflevector(first, second, 0, 2));
 }
 
-// Returns the pair of numbers at `rest`, moved by the heights along `normal`.
+// Returns the pair of numbers at `rest`, moved by the heights along `normal`. Both are aligned.
 Pair moved(const double* rest, Pair heights, const double* normal) {
-  return pair_at(rest) + heights * pair_at(normal);
+  return pair_at(std::assume_aligned<alignof(Pair)>(rest)) +
+         heights * pair_at(std::assume_aligned<alignof(Pair)>(normal));
+}
+
+// Returns true if a vertex begins at a multiple of a pair's size. Every other one does.
+bool is_aligned(const Vec3& vertex) {
+  return std::bit_cast<std::uintptr_t>(vertex.data()) % alignof(Pair) == 0;
 }
 
 }  // namespace
@@ -47,7 +54,13 @@ void wave(const Motion& motion, const SineCosine& of_time, const WaveVertices& v
   const auto [rest, normals, angles] = vertices;
   const Pair turned{of_time.cosine, of_time.sine};
   const Pair wave_m = both(motion.wave_m);
+  const auto move_one = [&](std::size_t k) {
+    to[k] = to_float3(rest[k] + wave_at(motion, angles[k], of_time) * normals[k]);
+  };
   std::size_t i = 0;
+  if (!to.empty() && !is_aligned(rest.front())) {
+    move_one(i++);
+  }
   for (; i + 4 <= to.size(); i += 4) {
     const Pair ab = heights_of(&angles[i], turned, wave_m);
     const Pair cd = heights_of(&angles[i + 2], turned, wave_m);
@@ -63,7 +76,7 @@ void wave(const Motion& motion, const SineCosine& of_time, const WaveVertices& v
     store(rounded(moved(from + 8, cd, along + 8), moved(from + 10, dd, along + 10)), place + 8);
   }
   for (; i < to.size(); ++i) {
-    to[i] = to_float3(rest[i] + wave_at(motion, angles[i], of_time) * normals[i]);
+    move_one(i);
   }
 }
 

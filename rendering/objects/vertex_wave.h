@@ -28,10 +28,10 @@ struct WaveVertices {
   }
 };
 
-// Memory for the waves of a scene.
+// Memory for the waves of a scene. A vertex of the same number is aligned alike in each array.
 struct WavePool {
-  std::array<Vec3, kMaxDeformableVertices> rest;
-  std::array<Vec3, kMaxDeformableVertices> normals;
+  alignas(16) std::array<Vec3, kMaxDeformableVertices> rest;
+  alignas(16) std::array<Vec3, kMaxDeformableVertices> normals;
   alignas(16) std::array<SineCosine, kMaxDeformableVertices> angles;
 
   // Sets the vertices from `first` on to those of a mesh at rest in its motion's wave, and returns

@@ -1,7 +1,9 @@
 #include "rendering/surface/deformable_mesh.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <cstdint>
 
 #include "rendering/geometry/floats.h"
 #include "rendering/tick_budget.h"
@@ -49,15 +51,20 @@ struct DrawnBox {
 
 // Returns the square of the longest of the steps between two rows of vertices, m^2, to within seven
 // roundings. They are read as rows of floats, four vertices at a time; the last up to three are
-// left to the caller.
+// left to the caller. Both rows are aligned if kAligned, which makes their loads a part of what
+// uses them.
+template <bool kAligned>
 float longest_squared(std::span<const Float3> from, std::span<const Float3> to) {
+  const auto load = [](const float* place) {
+    return kAligned ? aligned_floats_at(place) : floats_at(place);
+  };
   Floats longest = all(0.0F);
   for (std::size_t i = 0; i + 4 <= from.size(); i += 4) {
     const float* const a = &from[i].x;
     const float* const b = &to[i].x;
-    Floats u = floats_at(b) - floats_at(a);          // x0 y0 z0 x1
-    Floats v = floats_at(b + 4) - floats_at(a + 4);  // y1 z1 x2 y2
-    Floats w = floats_at(b + 8) - floats_at(a + 8);  // z2 x3 y3 z3
+    Floats u = load(b) - load(a);          // x0 y0 z0 x1
+    Floats v = load(b + 4) - load(a + 4);  // y1 z1 x2 y2
+    Floats w = load(b + 8) - load(a + 8);  // z2 x3 y3 z3
     u *= u;
     v *= v;
     w *= w;
@@ -69,6 +76,12 @@ float longest_squared(std::span<const Float3> from, std::span<const Float3> to) 
                                 __builtin_shufflevector(uv, vw, 1, 3, 5, 7));
   }
   return std::max({longest[0], longest[1], longest[2], longest[3]});
+}
+
+// Returns true if vertices begin at a multiple of four floats' size: those of a scene's first mesh
+// do, and of every other one behind a multiple of four.
+bool is_aligned(std::span<const Float3> vertices) {
+  return std::bit_cast<std::uintptr_t>(vertices.data()) % alignof(Floats) == 0;
 }
 
 }  // namespace
@@ -111,7 +124,9 @@ std::size_t DeformableMesh::take_step() {
   // More than the roundings of the square, and than a step whose square vanishes.
   constexpr double kRounding = 1.0 + 0x1p-20;
   constexpr double kVanishes_m = 1e-19;
-  float squared = longest_squared(before_, wanted_);
+  float squared = is_aligned(before_) && is_aligned(wanted_)
+                      ? longest_squared<true>(before_, wanted_)
+                      : longest_squared<false>(before_, wanted_);
   for (std::size_t i = now_.size() / 4 * 4; i < now_.size(); ++i) {
     const Vec3 step = to_vec3(wanted_[i]) - to_vec3(before_[i]);
     squared = std::max(squared, static_cast<float>(step.squaredNorm()));

@@ -17,9 +17,9 @@ namespace tactus::rendering {
 struct DeformablePool {
   // In the last tick and now; the two change places. One more than there may be, because a vertex
   // is read as four floats.
-  std::array<Float3, kMaxDeformableVertices + 1> before{};
-  std::array<Float3, kMaxDeformableVertices + 1> now{};
-  std::array<Float3, kMaxDeformableVertices> wanted;  // by the outside
+  alignas(16) std::array<Float3, kMaxDeformableVertices + 1> before{};
+  alignas(16) std::array<Float3, kMaxDeformableVertices + 1> now{};
+  alignas(16) std::array<Float3, kMaxDeformableVertices> wanted;  // by the outside
   std::array<BvhNode, kMaxDeformableNodes> nodes;
   std::size_t vertices_used = 0;
   std::size_t nodes_used = 0;
