@@ -105,7 +105,7 @@ void CommandProcessor::carry_out(CommandClient& client, const CommandLine& comma
 }
 
 void CommandProcessor::ask(CommandClient& client, Command command) {
-  last_ticket_ = std::max<Ticket>(last_ticket_ + 1, 1);
+  last_ticket_ = last_ticket_ % kLargestTicket + 1;
   command.ticket = last_ticket_;
   client.waiting.ticket = command.ticket;
   client.waiting.command = command;

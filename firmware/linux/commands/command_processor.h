@@ -10,9 +10,9 @@
 #include <span>
 #include <string_view>
 
+#include "firmware/commands/command_queue.h"
 #include "firmware/device_file/certificate_words.h"
 #include "firmware/linux/commands/command_client.h"
-#include "firmware/linux/commands/command_queue.h"
 #include "firmware/linux/commands/scene_store.h"
 
 namespace tactus::firmware {

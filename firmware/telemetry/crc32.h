@@ -1,4 +1,5 @@
-// Computes the CRC-32 of IEEE 802.3 (reflected polynomial 0xEDB88320), which MCAP files contain.
+// Computes the CRC-32 of IEEE 802.3 (reflected polynomial 0xEDB88320), which MCAP files and the
+// frames of firmware/line contain.
 // One thread; no heap.
 #pragma once
 

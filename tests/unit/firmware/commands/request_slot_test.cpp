@@ -1,4 +1,4 @@
-#include "firmware/linux/commands/request_slot.h"
+#include "firmware/commands/request_slot.h"
 
 #include <gtest/gtest.h>
 

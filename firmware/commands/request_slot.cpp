@@ -1,9 +1,9 @@
-#include "firmware/linux/commands/request_slot.h"
+#include "firmware/commands/request_slot.h"
 
 namespace tactus::firmware {
 
 RequestSlot::Posted RequestSlot::post(const TicketedRequest& newer) {
-  std::uint64_t waiting = word_.load(std::memory_order_relaxed);
+  std::uint32_t waiting = word_.load(std::memory_order_relaxed);
   do {
     if (unpack(waiting).request == Request::estop && newer.request != Request::estop) {
       return {};

@@ -25,13 +25,20 @@ class StopSlot {
   // Returns the tick that carried out the stop with that number, or nothing while none has. Any
   // thread.
   [[nodiscard]] std::optional<StopTaken> taken(std::uint32_t stop) const {
-    // The signed difference is right also after the 32-bit numbers have wrapped.
-    const auto ahead = static_cast<std::int32_t>(answered_.load(std::memory_order_acquire) - stop);
-    if (ahead < 0) {
-      return std::nullopt;
+    for (;;) {
+      const std::uint32_t answered = answered_.load(std::memory_order_acquire);
+      // The signed difference is right also after the 32-bit numbers have wrapped.
+      if (static_cast<std::int32_t>(answered - stop) < 0) {
+        return std::nullopt;
+      }
+      const std::uint64_t high = tick_high_.load(std::memory_order_acquire);
+      const StopTaken taken{.tick = high << 32U | tick_low_.load(std::memory_order_acquire),
+                            .after = mode_.load(std::memory_order_acquire)};
+      // The parts belong together unless the loop has begun to write those of a later stop.
+      if (begun_.load(std::memory_order_relaxed) == answered) {
+        return taken;
+      }
     }
-    return StopTaken{.tick = tick_.load(std::memory_order_relaxed),
-                     .after = mode_.load(std::memory_order_relaxed)};
   }
 
   // Returns true if a stop was posted since the last call. Call from the loop before a tick.
@@ -48,8 +55,10 @@ class StopSlot {
     if (seen_ == answered_.load(std::memory_order_relaxed)) {
       return false;
     }
-    tick_.store(done.tick, std::memory_order_relaxed);
-    mode_.store(done.after, std::memory_order_relaxed);
+    begun_.store(seen_, std::memory_order_relaxed);
+    tick_low_.store(static_cast<std::uint32_t>(done.tick), std::memory_order_release);
+    tick_high_.store(static_cast<std::uint32_t>(done.tick >> 32U), std::memory_order_release);
+    mode_.store(done.after, std::memory_order_release);
     answered_.store(seen_, std::memory_order_release);
     return true;
   }
@@ -60,9 +69,12 @@ class StopSlot {
   std::atomic<std::uint32_t> posted_{0};
   // Loop only: the number of the newest stop that a tick has had.
   std::uint32_t seen_ = 0;
-  // The number of the newest stop carried out, its tick, and the mode after it.
+  // The number of the newest stop carried out, its tick in two halves since the smallest processor
+  // has no word of 64 bits, and the mode after it. `begun_` is that number while they are written.
   std::atomic<std::uint32_t> answered_{0};
-  std::atomic<std::uint64_t> tick_{0};
+  std::atomic<std::uint32_t> begun_{0};
+  std::atomic<std::uint32_t> tick_low_{0};
+  std::atomic<std::uint32_t> tick_high_{0};
   std::atomic<Mode> mode_{Mode::init};
 };
 

@@ -16,11 +16,11 @@
 #include <optional>
 #include <string_view>
 
+#include "firmware/commands/command.h"
+#include "firmware/commands/injection.h"
+#include "firmware/commands/request_slot.h"
+#include "firmware/commands/stop_slot.h"
 #include "firmware/control/controller.h"
-#include "firmware/linux/commands/command.h"
-#include "firmware/linux/commands/injection.h"
-#include "firmware/linux/commands/request_slot.h"
-#include "firmware/linux/commands/stop_slot.h"
 #include "firmware/telemetry/ring.h"
 #include "firmware/telemetry/telemetry_event.h"
 

@@ -5,11 +5,11 @@
 #include <cstdint>
 #include <type_traits>
 
+#include "firmware/commands/injection.h"
+#include "firmware/commands/request_slot.h"
 #include "firmware/control/controller.h"
 #include "firmware/control/mode.h"
 #include "firmware/control/parameters.h"
-#include "firmware/linux/commands/injection.h"
-#include "firmware/linux/commands/request_slot.h"
 #include "rendering/scene/scene_image.h"
 
 namespace tactus::firmware {

@@ -1,4 +1,4 @@
-#include "firmware/linux/commands/stop_slot.h"
+#include "firmware/commands/stop_slot.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "firmware/linux/commands/injection.h"
+#include "firmware/commands/injection.h"
 
 #include <algorithm>
 #include <limits>

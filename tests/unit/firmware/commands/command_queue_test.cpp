@@ -1,4 +1,4 @@
-#include "firmware/linux/commands/command_queue.h"
+#include "firmware/commands/command_queue.h"
 
 #include <gtest/gtest.h>
 

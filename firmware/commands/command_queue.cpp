@@ -1,9 +1,8 @@
-#include "firmware/linux/commands/command_queue.h"
+#include "firmware/commands/command_queue.h"
 
 #include <array>
 
 #include "firmware/control/parameter_name.h"
-#include "firmware/linux/flight/attachments.h"
 #include "rendering/scene/scene_world.h"
 
 namespace tactus::firmware {
