@@ -59,6 +59,24 @@ std::optional<Answer> CommandQueue::next_answer() {
   return answer;
 }
 
+std::optional<Command> CommandQueue::take_request() {
+  const TicketedRequest newest = requests_.take();
+  if (newest.request == Request::none) {
+    return std::nullopt;
+  }
+  return Command{.kind = CommandKind::request, .ticket = newest.ticket, .request = newest.request};
+}
+
+std::optional<Command> CommandQueue::take_command() {
+  const Command* const front = commands_.front();
+  if (front == nullptr) {
+    return std::nullopt;
+  }
+  const Command command = *front;
+  commands_.pop();
+  return command;
+}
+
 Request CommandQueue::before_tick(Controller& controller) {
   before_ = controller.mode(device_);
   if (const Command* const front = commands_.front(); front != nullptr) {

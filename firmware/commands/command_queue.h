@@ -7,6 +7,9 @@
 //
 // post_stop bypasses the queue, and any thread may call it.
 //
+// A relay, whose controller is at the other end of a line, takes the loop's place: it takes
+// commands and gives the answers that come back.
+//
 // No answer is lost as long as the command thread posts at most kMaxRequests requests between two
 // times at which it has taken all answers.
 #pragma once
@@ -77,6 +80,18 @@ class CommandQueue {
 
   // Answers the request of the tick. Call after a tick.
   void after_tick(const Controller& controller);
+
+  // These are for a relay in place of the loop's thread, which then calls none of the loop's.
+
+  // Returns true if a stop was posted since the last call. Call it again only after answer_stop.
+  bool take_stop() { return stops_.take(); }
+  // Answers the stops that take_stop has taken.
+  void answer_stop(const StopTaken& done) { stops_.answer(done); }
+  // Return the newest request, and the next command other than a request; nothing if none waits.
+  std::optional<Command> take_request();
+  std::optional<Command> take_command();
+  // Gives the answer to a command that was taken. Each command other than a request needs one.
+  void answer(const Answer& answer) { answers_.push(answer); }
 
   // Returns true after the first request. Automatic requests (--enable) must stop then.
   [[nodiscard]] bool is_operated() const { return is_operated_; }

@@ -92,8 +92,7 @@ void CommandProcessor::carry_out(CommandClient& client, const CommandLine& comma
       break;
     case Verb::inject:
       if (!allow_inject_) {
-        refuse(client, "inject",
-               "this controller takes no faults from outside; start it with --allow-inject");
+        refuse(client, "inject", hooks_.inject_refusal);
         break;
       }
       ask(client, {.kind = CommandKind::inject, .injection = command.injection});
@@ -152,6 +151,10 @@ void CommandProcessor::ask_parameter(CommandClient& client, const CommandLine& c
 void CommandProcessor::ask_scene(CommandClient& client, std::string_view file) {
   if (scenes_ == nullptr) {
     refuse(client, "scene", kOfFirstDevice);
+    return;
+  }
+  if (!hooks_.scene_refusal.empty()) {
+    refuse(client, "scene", hooks_.scene_refusal);
     return;
   }
   std::ranges::copy(file, client.waiting.file.begin());

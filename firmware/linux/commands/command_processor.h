@@ -30,6 +30,11 @@ struct RunHooks {
   void (*scene_changed)(void* run, std::span<const std::byte> image) = nullptr;
   // Says why this device may not be enabled and what to do; empty if it may. Outlives the server.
   std::string_view enable_refusal;
+  // Say why this controller takes no other scene, and no injected faults, and what to do; empty if
+  // it may. They outlive the server.
+  std::string_view scene_refusal;
+  std::string_view inject_refusal =
+      "this controller takes no faults from outside; start it with --allow-inject";
   // Says what the user has to do while the device homes; empty if nothing. Outlives the server.
   std::string_view homing_hint;
 };
