@@ -5,11 +5,10 @@
 #include <algorithm>
 #include <cstdlib>
 #include <cstring>
-#include <fstream>
-#include <iterator>
 #include <span>
-#include <system_error>
+#include <utility>
 
+#include "hal/linux/mapped_file.h"
 #include "hal/linux/system.h"
 #include "host_tools/files/atomic_file.h"
 #include "host_tools/input_error.h"
@@ -112,13 +111,8 @@ std::filesystem::path image_file(const std::filesystem::path& folder, BoardImage
 }
 
 bool is_image_file(const std::filesystem::path& file, const ImageOnBoard& wanted) {
-  std::error_code error;
-  if (std::filesystem::file_size(file, error) != wanted.bytes || error) {
-    return false;
-  }
-  std::ifstream stream(file, std::ios::binary);
-  const std::string content{std::istreambuf_iterator<char>(stream), {}};
-  return is_image(std::as_bytes(std::span(content)), wanted);
+  hal::MappedFile mapped;
+  return mapped.open(file.c_str()) == 0 && is_image(mapped.bytes(), wanted);
 }
 
 void check_user_image(const std::string& file, const ImageOnBoard& wanted) {
@@ -135,9 +129,10 @@ void check_user_image(const std::string& file, const ImageOnBoard& wanted) {
 std::vector<std::byte> fetch_image(BoardLink& link, BoardImage image, const ImageOnBoard& wanted,
                                    const BoardLink::Hear& other, const ShowProgress& progress) {
   if (wanted.bytes == 0 || wanted.bytes > kMostImageBytes) {
-    throw UnreachableError(fmt::format("{}: the board says that its {} image has {} bytes; write "
-                                       "its program anew",
-                                       link.name(), name_of_image(image), wanted.bytes));
+    throw UnreachableError(
+        fmt::format("{}: the board says that its {} image has {} bytes; write "
+                    "its program anew",
+                    link.name(), name_of_image(image), wanted.bytes));
   }
   Fetch fetch(link, image, wanted);
   const auto hear = [&](std::span<const std::byte> message) {
@@ -162,9 +157,10 @@ std::vector<std::byte> fetch_image(BoardLink& link, BoardImage image, const Imag
     }
   }
   if (!is_image(fetch.bytes(), wanted)) {
-    throw UnreachableError(fmt::format("{}: the board's {} image has changed bits; write its "
-                                       "program anew",
-                                       link.name(), name_of_image(image)));
+    throw UnreachableError(
+        fmt::format("{}: the board's {} image has changed bits; write its "
+                    "program anew",
+                    link.name(), name_of_image(image)));
   }
   return std::move(fetch.bytes());
 }

@@ -45,9 +45,8 @@ Relay::Relay(firmware::CommandQueue& queue, Senders senders, std::size_t most_wa
     : queue_(queue), senders_(std::move(senders)), most_waiting_(most_waiting) {}
 
 std::size_t Relay::waiting() const {
-  return static_cast<std::size_t>(std::ranges::count_if(sent_, [](const Sent& sent) {
-    return sent.command.kind != CommandKind::request;
-  }));
+  return static_cast<std::size_t>(std::ranges::count_if(
+      sent_, [](const Sent& sent) { return sent.command.kind != CommandKind::request; }));
 }
 
 void Relay::send_waiting(hal::TimeNs now_ns) {
@@ -94,8 +93,8 @@ void Relay::give_up(hal::TimeNs now_ns) {
 
 std::optional<firmware::TelemetryEvent> Relay::take(const Answer& answer) {
   const bool is_stop = answer.kind == CommandKind::request &&
-                       answer.request == firmware::Request::estop &&
-                       answer.ticket == kStopTicket && stop_sent_ns_.has_value();
+                       answer.request == firmware::Request::estop && answer.ticket == kStopTicket &&
+                       stop_sent_ns_.has_value();
   if (is_stop) {
     stop_sent_ns_.reset();
     queue_.answer_stop({.tick = answer.tick, .after = answer.after});
