@@ -22,10 +22,11 @@ using firmware::BoardImage;
 using firmware::ImageOnBoard;
 
 // The bytes that are asked for at a time: few enough for a line that loses some.
-constexpr std::uint32_t kWindowBytes = 16384;
-// Bytes that have not come after the first time are asked for again, and after the second the
-// board is given up.
-constexpr hal::TimeNs kAskAgain_ns = hal::kNsPerSecond / 2;
+constexpr std::size_t kWindowBytes = 16384;
+// Bytes that have not come after this time, and that of some parts on the line, are asked for
+// again; after the patience the board is given up.
+constexpr hal::TimeNs kAskAgain_ns = hal::kNsPerSecond / 10;
+constexpr hal::TimeNs kParts = 4;
 constexpr hal::TimeNs kFetchPatience_ns = 5 * hal::kNsPerSecond;
 // A board with a larger image than that is none.
 constexpr std::uint32_t kMostImageBytes = 64U << 20U;
@@ -45,37 +46,59 @@ bool is_image(std::span<const std::byte> bytes, const ImageOnBoard& wanted) {
          rendering::image_checksum(header, bytes.subspan(sizeof header)) == wanted.checksum;
 }
 
-// An image that comes in parts.
+// An image that comes in parts of equal size, some of which the line loses.
 class Fetch {
  public:
   Fetch(BoardLink& link, BoardImage image, const ImageOnBoard& wanted)
-      : link_(link), image_(image), size_(wanted.bytes) {
-    bytes_.reserve(size_);
+      : link_(link),
+        image_(image),
+        bytes_(wanted.bytes),
+        has_part_((wanted.bytes + firmware::kImagePartBytes - 1) / firmware::kImagePartBytes) {
+    constexpr hal::TimeNs kPartBits = 10 * hal::TimeNs{firmware::kImagePartBytes};
+    ask_again_ns_ = kAskAgain_ns + kParts * kPartBits * hal::kNsPerSecond / link.baud();
   }
 
-  // Asks for the next bytes if those that were asked for have come, or do not come any more.
+  // Asks for the first bytes that are missing, if the last of those that were asked for has come or
+  // nothing comes any more.
   void ask() {
     const hal::TimeNs now_ns = hal::monotonic_now_ns();
-    if (bytes_.size() < asked_ && now_ns - asked_ns_ < kAskAgain_ns) {
+    if (is_asking_ && now_ns - asked_ns_ < ask_again_ns_) {
       return;
     }
-    const auto have = static_cast<std::uint32_t>(bytes_.size());
-    const std::uint32_t count = std::min(size_ - have, kWindowBytes);
-    link_.send(firmware::AskImage{.image = image_, .offset = have, .bytes = count});
-    asked_ = have + count;
+    const auto first = std::ranges::find(has_part_, false);
+    const auto end = std::find(first, has_part_.end(), true);
+    const auto begin_byte =
+        static_cast<std::size_t>(first - has_part_.begin()) * firmware::kImagePartBytes;
+    const auto run = static_cast<std::size_t>(end - first) * firmware::kImagePartBytes;
+    const std::size_t count = std::min({run, bytes_.size() - begin_byte, kWindowBytes});
+    link_.send(firmware::AskImage{.image = image_,
+                                  .offset = static_cast<std::uint32_t>(begin_byte),
+                                  .bytes = static_cast<std::uint32_t>(count)});
+    asked_end_ = begin_byte + count;
     asked_ns_ = now_ns;
+    is_asking_ = true;
   }
 
-  // Takes a part that follows those before it.
   void take(const firmware::ImagePart& part) {
-    if (part.image == image_ && part.offset == bytes_.size() &&
-        part.bytes.size() <= size_ - bytes_.size() && !part.bytes.empty()) {
-      bytes_.insert(bytes_.end(), part.bytes.begin(), part.bytes.end());
-      came_ns_ = asked_ns_ = hal::monotonic_now_ns();
+    const std::size_t number = part.offset / firmware::kImagePartBytes;
+    if (part.image != image_ || part.offset % firmware::kImagePartBytes != 0 ||
+        number >= has_part_.size()) {
+      return;
     }
+    const std::size_t size = std::min(bytes_.size() - part.offset, firmware::kImagePartBytes);
+    if (part.bytes.size() != size) {
+      return;
+    }
+    std::ranges::copy(part.bytes, bytes_.begin() + part.offset);
+    came_ += has_part_[number] ? 0 : size;
+    has_part_[number] = true;
+    came_ns_ = asked_ns_ = hal::monotonic_now_ns();
+    is_asking_ = is_asking_ && part.offset + size != asked_end_;
   }
 
-  [[nodiscard]] bool is_complete() const { return bytes_.size() == size_; }
+  // Returns the number of bytes that have come.
+  [[nodiscard]] std::size_t came() const { return came_; }
+  [[nodiscard]] bool is_complete() const { return came_ == bytes_.size(); }
   [[nodiscard]] bool is_late() const {
     return hal::monotonic_now_ns() - came_ns_ > kFetchPatience_ns;
   }
@@ -84,11 +107,14 @@ class Fetch {
  private:
   BoardLink& link_;
   BoardImage image_;
-  std::uint32_t size_;
   std::vector<std::byte> bytes_;
-  // The bytes from the image's beginning that were asked for, and when.
-  std::size_t asked_ = 0;
+  std::vector<bool> has_part_;
+  std::size_t came_ = 0;
+  // The end of the bytes that were asked for last, and the time of that or of the last part.
+  std::size_t asked_end_ = 0;
+  bool is_asking_ = false;
   hal::TimeNs asked_ns_ = 0;
+  hal::TimeNs ask_again_ns_ = 0;
   hal::TimeNs came_ns_ = hal::monotonic_now_ns();
 };
 
@@ -145,15 +171,15 @@ std::vector<std::byte> fetch_image(BoardLink& link, BoardImage image, const Imag
   };
   while (!fetch.is_complete()) {
     fetch.ask();
-    link.listen(hal::monotonic_now_ns() + kAskAgain_ns / 10, hear);
+    link.listen(hal::monotonic_now_ns() + kAskAgain_ns / 4, hear);
     if (progress) {
-      progress(name_of_image(image), fetch.bytes().size(), wanted.bytes);
+      progress(name_of_image(image), fetch.came(), wanted.bytes);
     }
     if (fetch.is_late()) {
       throw UnreachableError(
-          fmt::format("{}: the board has stopped sending its {} image at byte {} of {}; is the "
+          fmt::format("{}: the board has stopped sending its {} image after {} of {} bytes; is the "
                       "rate too high for the cable?",
-                      link.name(), name_of_image(image), fetch.bytes().size(), wanted.bytes));
+                      link.name(), name_of_image(image), fetch.came(), wanted.bytes));
     }
   }
   if (!is_image(fetch.bytes(), wanted)) {

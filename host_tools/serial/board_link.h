@@ -47,6 +47,8 @@ class BoardLink {
   // Returns the number of bytes that came.
   [[nodiscard]] std::uint64_t bytes() const { return bytes_; }
   [[nodiscard]] const std::string& name() const { return line_.name(); }
+  // Returns the rate of a tty, bit/s.
+  [[nodiscard]] std::uint32_t baud() const { return line_.baud(); }
 
  private:
   void write(std::span<const std::byte> message);

@@ -30,6 +30,7 @@ class SerialLine {
 
   // Returns the path of the tty or socket.
   [[nodiscard]] const std::string& name() const { return place_.path; }
+  [[nodiscard]] std::uint32_t baud() const { return place_.baud; }
 
  private:
   // Waits until the line can be read or written, POLLIN or POLLOUT. Returns false at the deadline.

@@ -5,16 +5,14 @@
 
 #include <algorithm>
 #include <chrono>
-#include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <optional>
 #include <utility>
 
 #include "firmware/control/run_tick.h"
+#include "host_tools/bake/device/device_bake.h"
+#include "host_tools/bake/scene/bake.h"
 #include "rendering/scene/image_format.h"
 #include "tests/support/paths.h"
-#include "tests/support/run_program.h"
 
 namespace tactus::host {
 namespace {
@@ -28,13 +26,6 @@ radius_m = 0.04
 stiffness_N_per_m = 500.0
 )";
 
-std::vector<std::byte> read_image(const std::string& file) {
-  std::ifstream stream(file, std::ios::binary);
-  const std::string content{std::istreambuf_iterator<char>(stream), {}};
-  const auto bytes = std::as_bytes(std::span(content));
-  return {bytes.begin(), bytes.end()};
-}
-
 firmware::ImageOnBoard on_board(std::span<const std::byte> image) {
   return {.checksum = rendering::header_checksum(image),
           .bytes = static_cast<std::uint32_t>(image.size())};
@@ -42,17 +33,9 @@ firmware::ImageOnBoard on_board(std::span<const std::byte> image) {
 
 }  // namespace
 
-LineBoardImages bake_line_images(const std::string& folder) {
-  std::filesystem::copy_file(testing::in_repository("firmware/mps2_an500/device.toml"),
-                             folder + "/device.toml");
-  std::ofstream(folder + "/scene.toml") << kLineScene;
-  for (const char* name : {"device", "scene"}) {
-    const std::string arguments = std::string("bake ") + name + ".toml -o " + name + ".tactus";
-    const auto outcome = testing::run_program(folder, arguments);
-    EXPECT_EQ(outcome.exit_code, 0) << outcome.output;
-  }
-  return {.device = read_image(folder + "/device.tactus"),
-          .scene = read_image(folder + "/scene.tactus")};
+LineBoardImages bake_line_images() {
+  return {.device = bake_device(testing::in_repository("firmware/mps2_an500/device.toml")).image(),
+          .scene = bake_scene(parse_scene_description(kLineScene, "scene.toml")).bytes};
 }
 
 LineBoard::LineBoard(const LineBoardImages& images) : images_(images) {

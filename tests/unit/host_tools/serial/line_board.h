@@ -33,9 +33,8 @@ struct LineBoardImages {
   std::vector<std::byte> scene;
 };
 
-// Bakes the device of firmware/mps2_an500 and a scene with a ball named "ball". `folder` gets their
-// files.
-LineBoardImages bake_line_images(const std::string& folder);
+// Bakes the device of firmware/mps2_an500, and a scene with a ball named "ball".
+LineBoardImages bake_line_images();
 
 // Troubles that a test can make at any time.
 struct LineTroubles {

@@ -12,6 +12,7 @@
 #include <variant>
 
 #include "firmware/linux/flight/attachments.h"
+#include "host_tools/files/atomic_file.h"
 #include "host_tools/input_error.h"
 #include "host_tools/recording/live_reader.h"
 #include "host_tools/recording/recording.h"
@@ -52,7 +53,7 @@ bool comes_true(Condition&& condition) {
 
 class LineGatewayTest : public FolderTest {
  protected:
-  LineGatewayTest() : images_(bake_line_images(folder())) {
+  LineGatewayTest() : images_(bake_line_images()) {
     ::setenv("XDG_CACHE_HOME", folder(), 1);  // NOLINT(concurrency-mt-unsafe): no other thread yet
     board_ = std::make_unique<LineBoard>(images_);
   }
@@ -179,10 +180,11 @@ TEST_F(LineGatewayTest, ARecordingFromTheFirstTickOnReplaysToTheSameHashes) {
 }
 
 TEST_F(LineGatewayTest, ImagesComeOverANoisyLineOnceAndFromTheCacheThen) {
-  board_->troubles().broken_every = 5;
+  board_->troubles().broken_every = 9;
   {
     LineSession(options()).finish();
   }
+  std::this_thread::sleep_for(200ms);  // until the board has heard all that was asked
   const std::uint32_t asks = board_->image_asks();
   EXPECT_GE(asks, 2U);
   {
@@ -202,6 +204,10 @@ TEST_F(LineGatewayTest, ImagesComeOverANoisyLineOnceAndFromTheCacheThen) {
 }
 
 TEST_F(LineGatewayTest, AnotherImageThanTheBoardsIsRefused) {
+  for (const auto& [name, image] :
+       {std::pair{"device.tactus", &images_.device}, std::pair{"scene.tactus", &images_.scene}}) {
+    write_file_atomically(file(name), *image);
+  }
   GatewayOptions with_images = options();
   with_images.device_image = file("device.tactus");
   with_images.scene_image = file("scene.tactus");
