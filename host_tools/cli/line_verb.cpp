@@ -38,6 +38,7 @@ constexpr const char* kLineExamples =
     "  tactus monitor --run-dir /tmp/board                   in another terminal\n"
     "  tactus line /dev/ttyUSB0:2000000 --run-dir /tmp/board --every 10\n"
     "  tactus line unix:board.sock --run-dir /tmp/board --record run.mcap --seconds 10\n"
+    "  tactus line /dev/ttyACM0 --run-dir /tmp/board --record run.mcap --every 1 --wait 60\n"
     "  tactus replay run.mcap                                if it begins with the board's start";
 
 // The verb's options as the user gave them.
@@ -49,6 +50,7 @@ struct LineOptions {
   std::string scene_image;
   std::uint32_t every = 0;
   double seconds = 0.0;
+  double wait_s = 3.0;
 };
 
 // A signal handler can reach nothing but globals.
@@ -105,6 +107,7 @@ void run_line_verb(const LineOptions& options) {
   gateway_of.device_image = options.device_image;
   gateway_of.scene_image = options.scene_image;
   gateway_of.every = options.every;
+  gateway_of.patience_s = options.wait_s;
   gateway_of.text = [](std::string_view line) {
     fmt::print("{}\n", line);
     std::fflush(stdout);
@@ -160,6 +163,10 @@ void add_line_verb(CLI::App& app) {
                    "One tick in so many; default: as many as the line can carry");
   verb->add_option("--seconds", options->seconds, "End after so long")
       ->check(CLI::NonNegativeNumber);
+  verb->add_option("--wait", options->wait_s,
+                   "Seconds that the board's first answer may take, to switch it on meanwhile")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
   verb->add_option("--device-image", options->device_image,
                    "The board's device image (.tactus), if it is not to come over the line");
   verb->add_option("--scene-image", options->scene_image, "The same for its scene");

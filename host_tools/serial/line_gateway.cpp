@@ -28,10 +28,10 @@ constexpr hal::TimeNs kTurn_ns = kMs;
 // A fifth of the time after which the board takes its motors' power.
 constexpr hal::TimeNs kBetweenAlive_ns =
     static_cast<hal::TimeNs>(firmware::kLineTimeout_s * 1e9) / 5;
-// A board that sends no ticks is asked for a sign of life so often, and a board that does not
-// answer at the start, too.
+// A board that sends no ticks is asked for a sign of life so often.
 constexpr hal::TimeNs kBetweenHellos_ns = 400 * kMs;
-constexpr hal::TimeNs kHelloPatience_ns = 3000 * kMs;
+// A board that starts waits somewhat longer than this for a host before its first tick.
+constexpr hal::TimeNs kBetweenFirstAsks_ns = 100 * kMs;
 // A line on which nothing came for so long is lost.
 constexpr hal::TimeNs kSilence_ns = 2000 * kMs;
 
@@ -80,9 +80,7 @@ LineGateway::~LineGateway() {
 
 // A recording can only begin with the board's first tick if the ticks are asked for at once.
 void LineGateway::ask_for_board() {
-  if (options_.wants_ticks && (options_.every > 0 || is_fast(options_.place))) {
-    link_.send(firmware::AskTicks{.every = std::max(options_.every, 1U)});
-  }
+  const bool asks_ticks = options_.wants_ticks && (options_.every > 0 || is_fast(options_.place));
   const hal::TimeNs begin_ns = hal::monotonic_now_ns();
   while (!has_board_) {
     const hal::TimeNs now_ns = hal::monotonic_now_ns();
@@ -92,18 +90,21 @@ void LineGateway::ask_for_board() {
                       "write a program of this version by tactus flash",
                       *other_version_, firmware::kLineVersion));
     }
-    if (now_ns - begin_ns > kHelloPatience_ns) {
+    if (static_cast<double>(now_ns - begin_ns) > options_.patience_s * 1e9) {
       lost(link_.bytes() == 0
                ? "the board says nothing; does it run, and is this its line?"
                : fmt::format("{} bytes came and none of them is the answer of a board; is {} bit/s "
                              "its rate?",
                              link_.bytes(), options_.place.baud));
     }
-    if (now_ns - asked_ns_ > kBetweenHellos_ns) {
+    if (now_ns - asked_ns_ > kBetweenFirstAsks_ns) {
       asked_ns_ = now_ns;
+      if (asks_ticks) {
+        link_.send(firmware::AskTicks{.every = std::max(options_.every, 1U)});
+      }
       link_.send(firmware::AskHello{});
     }
-    link_.listen(now_ns + kBetweenHellos_ns,
+    link_.listen(now_ns + kBetweenFirstAsks_ns / 4,
                  [this](std::span<const std::byte> message) { hear(message); });
   }
 }
