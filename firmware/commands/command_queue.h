@@ -26,13 +26,15 @@
 #include "firmware/control/controller.h"
 #include "firmware/telemetry/ring.h"
 #include "firmware/telemetry/telemetry_event.h"
+#include "rendering/profiles/chosen_profile.h"
 
 namespace tactus::firmware {
 
 // The largest number of commands whose answers have not been taken yet.
-inline constexpr std::size_t kMaxWaiting = 16;
+inline constexpr std::size_t kMaxWaiting = rendering::kProfile.waiting_commands;
 // The same for requests: the ring of answers has room for both.
-inline constexpr std::size_t kMaxRequests = 48;
+inline constexpr std::size_t kMaxRequests =
+    rendering::kProfile.waiting_answers - rendering::kProfile.waiting_commands;
 
 // A receiver of events. The loop calls `tell`, so it must be bounded and take no lock. A null
 // `tell` drops the events.

@@ -49,7 +49,7 @@ struct ImageOnBoard {
   std::uint32_t bytes = 0;
 };
 
-// The board tells what it is: the answer to AskHello, and its first message after a start.
+// The board tells what it is: the answer to AskHello.
 struct Hello {
   std::uint8_t version = kLineVersion;
   LineName board{};
@@ -107,12 +107,13 @@ struct LineStop {
   Ticket ticket = 0;
 };
 
-// The host supervises the board. From the first Alive on, a board that hears no whole frame for
-// kLineTimeout_s takes the line as lost.
+// The host supervises the board. From the first Alive on, a board that hears no message for
+// kLineTimeout_s takes the line as lost: the fault kFaultLineLost. Ticks and images are then sent
+// no more, and the supervision begins again with the next Alive.
 struct Alive {};
 inline constexpr double kLineTimeout_s = 0.5;
 
-// The host ends its supervision.
+// The host ends its supervision, and asks for no more ticks and images.
 struct Release {};
 
 // Returns the type of a message, or nothing if its first byte is none.

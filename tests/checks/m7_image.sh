@@ -92,7 +92,7 @@ result=0
 if [[ -z "$worst_ns" || "$worst_ns" -gt "$budget_ns" ]]; then result=1; fi
 verdict "the longest tick, ${worst_ns:-unknown} ns, is within its budget of $budget_ns ns" "$result"
 
-# Prints what happened in QEMU's trace, in the order of time: restarts, exceptions but for the tick's, changes of the motors' power, and
+# Prints what happened in QEMU's trace, in the order of time: restarts, exceptions but for those of the tick and the UART, changes of the motors' power, and
 # a line of text where its first character is sent. Left out are the lines of ticks before a fault, and exceptions after a stop, where
 # the watchdog may come once more.
 story() {
@@ -103,7 +103,7 @@ story() {
     }
     function event(what) { events[++count] = what }
     /^Loaded reset SP 0x2/ { event("restart"); power = "" }
-    /taking pending .* exception/ && $NF != 15 && !is_stopped { event("exception " $NF) }
+    /taking pending .* exception/ && $NF < 15 && !is_stopped { event("exception " $NF) }
     /^mps2_fpgaio_write .* offset 0x0 / {
       now = / data 0x0 / ? "power off" : "power on"
       if (now != power) event(now)
@@ -112,6 +112,7 @@ story() {
     /^cmsdk_apb_uart_tx / {
       match($0, /0x[0-9a-f]+/)
       code = value(substr($0, RSTART + 2, RLENGTH - 2))
+      if (code == 0) next # what ends a frame
       if (!is_inside) { event(""); line = count; is_inside = 1 }
       if (code == 10) { is_inside = 0 } else if (code != 13) { events[line] = events[line] sprintf("%c", code) }
       if (events[line] ~ /^stop /) is_stopped = 1

@@ -11,7 +11,7 @@
 namespace tactus::firmware {
 namespace {
 
-constexpr std::size_t kQueueRoom = 1024;
+constexpr std::size_t kQueueRoom = kLineQueueBytes;
 
 // Returns what the queue gives to a UART that takes so many characters.
 std::string pumped(LineQueue& queue, std::size_t room) {
