@@ -87,8 +87,8 @@ void print_recorded(const LineGateway& gateway, const std::string& record) {
     fmt::print("; tactus replay {} compares them\n", record);
   } else if (told.first_tick() != 0) {
     fmt::print(
-        "; no replay, since it began after the board's start: restart the board while "
-        "tactus line runs\n");
+        "; no replay, since it began after the board's start: switch the board on "
+        "after tactus line --wait 60 has begun\n");
   } else {
     fmt::print(
         "; no replay: one tick in {} was asked for, and {} of them are missing, since the "

@@ -17,14 +17,15 @@ struct EmulatedBoard {
   std::string line = "board.sock";
 };
 
-// Returns QEMU's command line, word for word. An instruction takes 2 ns of the board's time. A
-// board that waits for its next tick waits in this machine's time, so that a second there is one
-// here as long as QEMU is fast enough. The board starts when the line is first opened.
+// Returns QEMU's command line, word for word. An instruction takes 2 ns of the board's time, and
+// EmulatorPace holds that to the time of this machine. The board's UART is QEMU's standard input
+// and output, and its monitor the descriptor kMonitorDescriptor.
 std::vector<std::string> emulator_command(const EmulatedBoard& board);
 
-// Runs the board until SIGINT or SIGTERM, or until QEMU ends. Calls `ready` when the line can be
-// opened. Returns true if the user ended it, false if QEMU failed. Throws InputError if QEMU is not
-// installed, the program is none for a board, or there is a file in the place of the line.
+// Runs the board from the moment when the line is first opened until SIGINT or SIGTERM, or until
+// QEMU ends. Calls `ready` when the line can be opened. Returns true if the user ended it, false if
+// QEMU failed. Throws InputError if QEMU is not installed, the program is none for a board, or
+// there is a file in the place of the line.
 bool run_emulated_board(const EmulatedBoard& board, const std::function<void()>& ready);
 
 }  // namespace tactus::host

@@ -6,6 +6,7 @@
 
 #include "host_tools/flash/board_program.h"
 #include "host_tools/flash/emulated_board.h"
+#include "host_tools/flash/emulator_pace.h"
 #include "host_tools/flash/flash_tool.h"
 #include "host_tools/input_error.h"
 #include "tests/support/folder_test.h"
@@ -95,14 +96,22 @@ TEST_F(FlashTest, AToolIsFoundInTheFoldersOfThePathOnly) {
   EXPECT_EQ(find_tool(file("probe"), ""), file("probe"));
 }
 
-TEST_F(FlashTest, TheEmulatorGetsTheLineAndTheClockOfTheBoard) {
-  const auto command = emulator_command({.program = "p", .line = "a,b.sock"});
+TEST_F(FlashTest, TheEmulatorHasTheClockOfTheBoard) {
+  const auto command = emulator_command({.program = "p", .line = "a.sock"});
   std::string all;
   for (const std::string& word : command) {
     all += word + ' ';
   }
-  EXPECT_NE(all.find("-serial unix:a,,b.sock,server=on,wait=on "), std::string::npos) << all;
-  EXPECT_NE(all.find("-icount shift=1,sleep=on "), std::string::npos) << all;
+  EXPECT_NE(all.find("-serial stdio "), std::string::npos) << all;
+  EXPECT_NE(all.find("-icount shift=1,sleep=off "), std::string::npos) << all;
+}
+
+TEST_F(FlashTest, TheBoardsTimeIsReadBehindTheEchoOfTheQuestion) {
+  EXPECT_EQ(word_of_monitor("x\x1b[K\x1b[Dxp /1wx 0x40028018\x1b[K\r\n0000000040028018: "
+                            "0x0a342a7a\r\n(qemu) "),
+            0x0a342a7aU);
+  EXPECT_FALSE(word_of_monitor("QEMU 7.2.22 monitor - type 'help' for more\r\n(qemu) "));
+  EXPECT_FALSE(word_of_monitor("stop\x1b[K\r\n(qemu) "));
 }
 
 TEST_F(FlashTest, TheVerbsExitCodeTellsWhetherTheProgramIsOnTheBoard) {
