@@ -15,6 +15,7 @@ all_stages=(
   "aarch64           build_and_test.sh aarch64 test_programs replay_recording tactusd"
   "cortex-m7         build.sh cortex-m7"
   "m7-image          m7_image.sh"
+  "m7-line           m7_line.sh"
   "fuzz              fuzz.sh"
   "rig               rig.sh"
   "same-bits         same_bits.sh"

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 #include <sys/signalfd.h>
+#include <unistd.h>
 
 #include <csignal>
 #include <filesystem>
@@ -69,6 +70,9 @@ bool run_emulated_board(const EmulatedBoard& board, const std::function<void()>&
   ready();
   while (bridge.turn(asked_to_end.get())) {
   }
+  // A signal that stays pending would end this program when it is unblocked.
+  signalfd_siginfo taken{};
+  (void)!::read(asked_to_end.get(), &taken, sizeof taken);
   return bridge.is_asked_to_end();
 }
 

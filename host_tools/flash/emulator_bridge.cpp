@@ -144,6 +144,10 @@ void EmulatorBridge::start_emulator() {
 }
 
 void EmulatorBridge::accept_program() {
+  pollfd present{.fd = program_.get(), .events = POLLRDHUP, .revents = 0};
+  if (program_.is_open() && ::poll(&present, 1, 0) > 0) {
+    return;  // its last bytes go to the board before the next program comes
+  }
   hal::FileDescriptor program(
       ::accept4(socket_.get(), nullptr, nullptr, SOCK_CLOEXEC | SOCK_NONBLOCK));
   // A line has one program; a second one finds it closed.
@@ -188,8 +192,8 @@ bool EmulatorBridge::turn(int asked_to_end) {
   const auto events = [](bool is_wanted, short event) {
     return static_cast<short>(is_wanted ? event : 0);
   };
-  const short program_events = static_cast<short>(events(for_board_.is_empty(), POLLIN) |
-                                                  events(!for_program_.is_empty(), POLLOUT));
+  const auto program_events = static_cast<short>(events(for_board_.is_empty(), POLLIN) |
+                                                 events(!for_program_.is_empty(), POLLOUT));
   std::array<pollfd, 6> files{{
       {.fd = asked_to_end, .events = POLLIN, .revents = 0},
       {.fd = socket_.get(), .events = POLLIN, .revents = 0},

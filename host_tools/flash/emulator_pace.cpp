@@ -10,8 +10,8 @@ namespace tactus::host {
 namespace {
 
 constexpr std::string_view kPrompt = "(qemu) ";
-// COUNTER of the board's FPGAIO block counts its 25 MHz (ARM DAI 0385, "Application Note AN385",
-// which AN500 shares).
+// COUNTER of the board's FPGAIO block counts its clock of 25 MHz (ARM DAI 0500, "Application Note
+// AN500"; QEMU, hw/misc/mps2-fpgaio.c).
 constexpr std::uint32_t kCounterAddress = 0x4002'8018;
 constexpr hal::TimeNs kNsPerBoardCount = 40;
 // The board's time is looked at so often, and it may be ahead by so much.
@@ -50,9 +50,6 @@ void EmulatorPace::take_time(std::uint32_t counter, hal::TimeNs now_ns) {
   }
   counter_ = counter;
   const hal::TimeNs ahead_ns = board_ns_ - (now_ns - begin_ns_);
-  if (getenv("PACE"))
-    fprintf(stderr, "%ld board %ld ahead %ld us\n", (now_ns - begin_ns_) / 1000, board_ns_ / 1000,
-            ahead_ns / 1000);
   if (ahead_ns < -kMostBehind_ns) {
     begin_ns_ -= ahead_ns;
   }

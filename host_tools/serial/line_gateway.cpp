@@ -197,7 +197,9 @@ void LineGateway::turn() {
   link_.listen(hal::monotonic_now_ns() + kTurn_ns,
                [this](std::span<const std::byte> message) { hear(message); });
   const hal::TimeNs now_ns = hal::monotonic_now_ns();
-  relay_->send_waiting(now_ns);
+  if (relay_) {
+    relay_->send_waiting(now_ns);
+  }
   keep_alive(now_ns);
   telemetry_.pass_on();
   if (const int error = telemetry_.recording_error(); error != 0) {

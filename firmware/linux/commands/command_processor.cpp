@@ -149,12 +149,12 @@ void CommandProcessor::ask_parameter(CommandClient& client, const CommandLine& c
 // Asks for the mode before it opens the file: no command is carried out while a file is read, so a
 // file is never read while the motors have power.
 void CommandProcessor::ask_scene(CommandClient& client, std::string_view file) {
-  if (scenes_ == nullptr) {
-    refuse(client, "scene", kOfFirstDevice);
-    return;
-  }
   if (!hooks_.scene_refusal.empty()) {
     refuse(client, "scene", hooks_.scene_refusal);
+    return;
+  }
+  if (scenes_ == nullptr) {
+    refuse(client, "scene", kOfFirstDevice);
     return;
   }
   std::ranges::copy(file, client.waiting.file.begin());
