@@ -84,12 +84,12 @@ recorded_run() {
   "$tactus" line "$line" --run-dir "$work/run" --record "$work/run.mcap" >"$work/texts" 2>"$work/said" &
   gateway=$!
   within 20 test -S "$work/run/command.sock" || return 1
-  sleep 1
+  within 60 grep -q '^tick 1000 ' "$work/texts" || return 1
   "$tactus" set max_force_N 4 --run-dir "$work/run" >>"$work/said" &&
     "$tactus" set object.0.stiffness_N_per_m 600 --run-dir "$work/run" >>"$work/said" &&
     "$tactus" disable --run-dir "$work/run" >>"$work/said" &&
     "$tactus" enable --run-dir "$work/run" >>"$work/said" &&
-    sleep 2 && kill "$gateway" && wait "$gateway"
+    within 60 grep -q '^tick 2000 ' "$work/texts" && kill "$gateway" && wait "$gateway"
   local result=$?
   gateway=""
   return "$result"
@@ -106,7 +106,7 @@ begins_with_tick_0() {
 }
 check "tactus line serves commands while it records from tick 0 on" begins_with_tick_0
 replays() {
-  says '^ticks 0 to [0-9]{4,}.*every hash equal$' "$tactus" replay "$work/run.mcap"
+  says '^ticks 0 to [0-9]{4,} .*every hash equal$' "$tactus" replay "$work/run.mcap"
 }
 check "the recording replays from tick 0 with equal hashes" replays
 check "the board's lines of text pass by" grep -qE '^tick [0-9]+000 hash [0-9a-f]{16} ' "$work/texts"

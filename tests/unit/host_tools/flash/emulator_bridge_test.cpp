@@ -52,7 +52,8 @@ class EmulatorBridgeTest : public FolderTest {
     sockaddr_un address{};
     address.sun_family = AF_UNIX;
     std::ranges::copy(file("board.sock"), std::begin(address.sun_path));
-    hal::FileDescriptor socket(::socket(AF_UNIX, SOCK_STREAM, 0));
+    // The emulator must not keep it open.
+    hal::FileDescriptor socket(::socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0));
     // NOLINTNEXTLINE(cppcoreguidelines-pro-type-reinterpret-cast)
     const auto* const general = reinterpret_cast<const sockaddr*>(&address);
     EXPECT_EQ(::connect(socket.get(), general, sizeof address), 0);
