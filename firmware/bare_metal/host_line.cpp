@@ -96,6 +96,7 @@ void HostLine::take_command(const Command& command, LineQueue& out) {
 
 void HostLine::end_requests() {
   is_supervised_ = false;
+  is_lost_ = false;
   every_ = 0;
   asked_ = {};
 }
@@ -114,19 +115,24 @@ std::uint32_t HostLine::line_status() {
   if (silent_ticks_ <= timeout_ticks_) {
     return kLoopOnTime;
   }
-  end_requests();
+  is_supervised_ = false;
+  is_lost_ = true;
   return kLoopLineLost;
 }
 
 void HostLine::after_tick(const Controller& controller, const LoopTimes& times,
                           std::uint32_t lost_bytes, LineQueue& out) {
   queue_.after_tick(controller);
-  if (send_stop_answer(controller, out) && send_answers(out)) {
-    send_hello(controller, lost_bytes, out);
-    send_tick(controller, times, out);
-    send_image_part(out);
-  } else if (every_ != 0 && controller.record().tick % every_ == 0) {
-    ++tick_.dropped;
+  if (!send_stop_answer(controller, out) || !send_answers(out)) {
+    skip_tick(controller.record().tick);
+    return;
+  }
+  send_hello(controller, lost_bytes, out);
+  const bool is_sent = send_tick(controller, times, out);
+  send_image_part(out);
+  // A recording ends with a tick that has the fault.
+  if (is_lost_ && (is_sent || every_ == 0)) {
+    end_requests();
   }
 }
 
@@ -188,15 +194,25 @@ void HostLine::send_hello(const Controller& controller, std::uint32_t lost_bytes
   owes_hello_ = !send(hello, 0, out);
 }
 
-void HostLine::send_tick(const Controller& controller, const LoopTimes& times, LineQueue& out) {
-  if (every_ == 0 || controller.record().tick % every_ != 0) {
-    return;
+bool HostLine::is_asked_for(std::uint64_t tick) const {
+  return every_ != 0 && tick % every_ == 0;
+}
+
+void HostLine::skip_tick(std::uint64_t tick) {
+  tick_.dropped += is_asked_for(tick) ? 1U : 0U;
+}
+
+bool HostLine::send_tick(const Controller& controller, const LoopTimes& times, LineQueue& out) {
+  if (!is_asked_for(controller.record().tick)) {
+    return false;
   }
   tick_.record = controller.record();
   tick_.loop = times;
-  if (!send(tick_, kSpareBytes, out)) {
-    ++tick_.dropped;
+  const bool is_sent = send(tick_, kSpareBytes, out);
+  if (!is_sent) {
+    skip_tick(controller.record().tick);
   }
+  return is_sent;
 }
 
 void HostLine::send_image_part(LineQueue& out) {

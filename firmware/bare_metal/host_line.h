@@ -66,11 +66,17 @@ class HostLine {
   void take_command(const Command& command, LineQueue& out);
   void end_requests();
 
+  // Returns true if the host wants the tick of that number.
+  [[nodiscard]] bool is_asked_for(std::uint64_t tick) const;
+  // Counts that tick as left out if the host wants it.
+  void skip_tick(std::uint64_t tick);
+
   // These send one message each if it is due. The first two return false if `out` had no room.
   bool send_stop_answer(const Controller& controller, LineQueue& out);
   bool send_answers(LineQueue& out);
   void send_hello(const Controller& controller, std::uint32_t lost_bytes, LineQueue& out);
-  void send_tick(const Controller& controller, const LoopTimes& times, LineQueue& out);
+  // Returns true if it was sent.
+  bool send_tick(const Controller& controller, const LoopTimes& times, LineQueue& out);
   void send_image_part(LineQueue& out);
 
   // Sends a message, and returns false if there was no room for it and `spare` characters.
@@ -91,6 +97,8 @@ class HostLine {
 
   // The ticks since the last message, counted while the host supervises.
   bool is_supervised_ = false;
+  // The line was found lost, and the last tick that was asked for is still to be sent.
+  bool is_lost_ = false;
   std::uint32_t silent_ticks_ = 0;
 
   std::array<std::byte, kMaxMessage> message_{};

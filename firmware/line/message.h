@@ -108,8 +108,9 @@ struct LineStop {
 };
 
 // The host supervises the board. From the first Alive on, a board that hears no message for
-// kLineTimeout_s takes the line as lost: the fault kFaultLineLost. Ticks and images are then sent
-// no more, and the supervision begins again with the next Alive.
+// kLineTimeout_s takes the line as lost: the fault kFaultLineLost. A tick with the fault
+// is the last one that is sent, images are sent no more, and the supervision begins again
+// with the next Alive.
 struct Alive {};
 inline constexpr double kLineTimeout_s = 0.5;
 

@@ -312,6 +312,8 @@ TEST_F(HostLineTest, ALostLineTakesThePowerWithinHalfASecond) {
   EXPECT_EQ(record().loop_status, kLoopLineLost);
   EXPECT_FALSE(fake_board().has_power);
   EXPECT_NE(text_.find("fault 46 line_lost tick 1501"), std::string::npos) << text_;
+  ASSERT_EQ(ticks_.size(), 501U);
+  EXPECT_EQ(ticks_.back().record.faults, kFaultLineLost) << "a recording ends with it";
   ticks_.clear();
   run(1000);
   EXPECT_TRUE(ticks_.empty()) << "nobody hears them";
