@@ -115,9 +115,9 @@ TEST_F(FlashTest, TheBoardsTimeIsReadBehindTheEchoOfTheQuestion) {
 }
 
 TEST_F(FlashTest, TheVerbsExitCodeTellsWhetherTheProgramIsOnTheBoard) {
-  const std::string program = write_file("board.elf", elf_for(kArmProcessor));
-  const std::string good = write_tool("good", "cp \"$1\" written; echo 100 %");
-  const std::string bad = write_tool("bad", "echo no probe; exit 3");
+  write_file("board.elf", elf_for(kArmProcessor));
+  write_tool("good", "cp \"$1\" written; echo 100 %");
+  write_tool("bad", "echo no probe; exit 3");
 
   auto outcome = testing::run_program(folder(), "flash board.elf --with './good {file}'");
   EXPECT_EQ(outcome.exit_code, 0) << outcome.output;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "firmware/telemetry/telemetry_event.h"
+#include "hal/linux/system.h"
 
 namespace tactus::host {
 namespace {
