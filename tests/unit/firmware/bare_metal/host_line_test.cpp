@@ -323,6 +323,19 @@ TEST_F(HostLineTest, ALostLineTakesThePowerWithinHalfASecond) {
   EXPECT_EQ(record().faults, kNoFault);
 }
 
+TEST_F(HostLineTest, ATickWithTheLostLineIsSentOnceThereIsRoom) {
+  say(Alive{});
+  say(AskTicks{.every = 1});
+  run(kTimeoutTicks - 10);
+  fake_board().offers_per_char = 0;
+  run(20);
+  ticks_.clear();
+  fake_board().offers_per_char = 1;
+  run(1000);
+  ASSERT_EQ(ticks_.size(), 2U) << "the one that waited, and the first after it";
+  EXPECT_EQ(ticks_.back().record.faults, kFaultLineLost);
+}
+
 TEST_F(HostLineTest, AnyMessageKeepsTheLineAndNothingElseDoes) {
   run(1000);
   say(Alive{});
