@@ -20,8 +20,9 @@ namespace tactus::host {
 namespace {
 
 constexpr std::string_view kGone =
-    "the line is lost: the cable was pulled, the board has lost its power, or the emulator has "
-    "ended; without this program the board takes its motors' power away by itself";
+    "the line is lost: the cable was pulled, the board has lost its power, the emulator has "
+    "ended or serves another program; without this program the board takes its motors' power away "
+    "by itself";
 
 // Sets raw bytes at any rate; termios2 takes the number itself. Returns 0 or errno.
 int set_raw_line(int descriptor, std::uint32_t baud) {

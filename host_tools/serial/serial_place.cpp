@@ -62,9 +62,14 @@ bool holds(const std::filesystem::path& process, const std::filesystem::path& fi
 
 std::string busy_words(const std::string& path) {
   const auto holder = holder_of(path);
-  return holder ? fmt::format("{} (process {}) holds it; end that program first", holder->program,
-                              holder->process)
-                : fmt::format("another program holds it; sudo fuser {} names it", path);
+  if (!holder) {
+    return fmt::format("another program holds it; sudo fuser {} names it", path);
+  }
+  return fmt::format("{} (process {}) holds it; end that program first{}", holder->program,
+                     holder->process,
+                     holder->program == "tactus" ? ", or if it is tactus line, give its --run-dir "
+                                                   "in place of --serial"
+                                                 : "");
 }
 
 }  // namespace
