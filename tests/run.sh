@@ -17,6 +17,7 @@ all_stages=(
   "riscv64           build_and_test.sh riscv64 hal_tests drivers_tests firmware_tests rendering_tests replay_tests"
   "cortex-m7         build.sh cortex-m7"
   "m7-image          m7_image.sh"
+  "m7-line           m7_line.sh"
   "fuzz              fuzz.sh"
   "rig               rig.sh"
   "same-bits         same_bits.sh"

@@ -14,6 +14,15 @@ void LineQueue::push(std::string_view line) {
   push_char('\n');
 }
 
+bool LineQueue::push_frame(std::span<const std::byte> message) {
+  if (!has_room(message.size())) {
+    ++dropped_;
+    return false;
+  }
+  put_frame(message, [this](std::byte byte) { push_char(static_cast<char>(byte)); });
+  return true;
+}
+
 void LineQueue::push_char(char character) {
   room_[(first_ + size_) % room_.size()] = character;
   ++size_;

@@ -40,8 +40,15 @@ class Session {
   // what there is to say of it.
   template <class Tell>
   void tick(std::uint32_t missed_ticks, Tell&& tell) {
-    controller_.note_loop({.missed_ticks = missed_ticks});
-    run_tick(controller_, device_, request_toward_active(controller_.mode()));
+    this->tick(LoopReport{.missed_ticks = missed_ticks}, request_toward_active(controller_.mode()),
+               tell);
+  }
+
+  // Runs a tick with a request, and tells the same.
+  template <class Tell>
+  void tick(const LoopReport& loop, Request request, Tell&& tell) {
+    controller_.note_loop(loop);
+    run_tick(controller_, device_, request);
     const TelemetryRecord& record = controller_.record();
     if (const std::uint64_t fresh = record.faults & ~told_faults_; fresh != 0) {
       told_faults_ = record.faults;

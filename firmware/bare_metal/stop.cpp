@@ -10,20 +10,22 @@ constexpr std::uint32_t kTelling_us = 500'000;
 // A line is given up after its characters were refused so often.
 constexpr int kMostOffers = 1'000'000;
 
+// Offers a character until it is taken or no offer is left.
+void put_or_give_up(char character, int& offers) {
+  while (offers > 0 && !hal::put_char(character)) {
+    --offers;
+  }
+}
+
 }  // namespace
 
 void tell_now(std::string_view line) {
   int offers = kMostOffers;
-  const auto put = [&](char character) {
-    while (offers > 0 && !hal::put_char(character)) {
-      --offers;
-    }
-  };
   for (const char character : line) {
-    put(character);
+    put_or_give_up(character, offers);
   }
-  put('\r');
-  put('\n');
+  put_or_give_up('\r', offers);
+  put_or_give_up('\n', offers);
 }
 
 Line stop_line(std::string_view verb, const hal::LatchedStop& stop) {
@@ -45,6 +47,9 @@ void stop(hal::StopCode code, std::uint32_t address, std::string_view words) {
   }
   hal::latch(code, address, hal::latched_stop());
   hal::start_watchdog(kTelling_us);
+  // A frame may be under way, and a zero ends it (firmware/line/frame.h).
+  int offers = kMostOffers;
+  put_or_give_up('\0', offers);
   Line line = stop_line("stop", hal::latched_stop());
   if (!words.empty()) {
     line.add(": ").add(words);

@@ -22,9 +22,20 @@ inline constexpr std::uint32_t kMotorLamp = 1;
 inline constexpr Address kUartData = 0x4000'4000;
 inline constexpr Address kUartState = 0x4000'4004;
 inline constexpr std::uint32_t kUartIsFull = 1;
+inline constexpr std::uint32_t kUartHasReceived = 2;
+inline constexpr std::uint32_t kUartHasLost = 8;  // cleared by a 1
 inline constexpr Address kUartControl = 0x4000'4008;
-inline constexpr std::uint32_t kUartTransmits = 1;
+inline constexpr std::uint32_t kUartRuns = 15;  // sends and receives, with an interrupt for each
+inline constexpr Address kUartInterrupts = 0x4000'400C;  // cleared by a 1
+inline constexpr std::uint32_t kUartSent = 1;
+inline constexpr std::uint32_t kUartReceived = 2;
 inline constexpr Address kUartDivider = 0x4000'4010;
+inline constexpr std::uint32_t kUartBaud = 115'200;
+
+// NVIC: the interrupts of the UART, by their bits.
+inline constexpr Address kInterruptEnable = 0xE000'E100;
+inline constexpr std::uint32_t kUartReceives = 1U << 0U;
+inline constexpr std::uint32_t kUartSends = 1U << 1U;
 
 // Watchdog (CMSDK APB watchdog): its first end raises the interrupt that cannot be masked, the
 // second resets the board.

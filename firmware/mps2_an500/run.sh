@@ -6,7 +6,7 @@ cd "$here/../.."
 
 usage() {
   cat <<END
-usage: firmware/mps2_an500/run.sh [--ticks N] [--fault NAME] [--trace FILE] [--build] [--help]
+usage: firmware/mps2_an500/run.sh [--ticks N] [--fault NAME] [--trace FILE] [--uart WHERE] [--build] [--help]
 Bakes device and scene, links both into the program for a bare Cortex-M7, runs it in QEMU and prints its lines.
   --ticks N      ends after N ticks of a millisecond, a multiple of 1000; 20000 without it
   --fault NAME   runs a program with a planted fault until it has told it:
@@ -15,19 +15,24 @@ Bakes device and scene, links both into the program for a bare Cortex-M7, runs i
                    hung_tick         a tick that does not end
                    nan_sample        an encoder that reads no number
   --trace FILE   writes exceptions and what goes to the motors' lamp and the UART to FILE, in the order of time
+  --uart WHERE   gives the UART to a host instead of printing its lines, and runs until Ctrl-C:
+                   pty                              a terminal, whose name is printed
+                   unix:FILE,server=on,wait=off     a socket, or whatever else QEMU's -serial knows
   --build        makes all these programs, in build/cortex-m7/bin, and runs none
 Examples:
   firmware/mps2_an500/run.sh --ticks 5000
   firmware/mps2_an500/run.sh --fault stack_overflow
+  firmware/mps2_an500/run.sh --uart pty
 END
 }
 
-ticks=20000 fault="" trace="" build_only=""
+ticks=20000 fault="" trace="" uart="" build_only=""
 while [[ $# -gt 0 ]]; do
   case "$1" in
     --ticks) ticks="${2:?--ticks needs a number}" && shift ;;
     --fault) fault="${2:?--fault needs a name}" && shift ;;
     --trace) trace="${2:?--trace needs a file}" && shift ;;
+    --uart) uart="${2:?--uart needs a place, such as pty}" && shift ;;
     --build) build_only=1 ;;
     --help) usage && exit 0 ;;
     *) usage >&2 && exit 2 ;;
@@ -79,10 +84,16 @@ printf '\xff' | dd of="$work/corrupted.tactus" bs=1 seek=100001 conv=notrunc sta
 quietly arm-none-eabi-objcopy --update-section ".scene_image=$work/corrupted.tactus" "$program" "$corrupted"
 if [[ -n "$build_only" ]]; then exit 0; fi
 
-options=(-M mps2-an500 -display none -monitor none -serial stdio -icount "shift=1,sleep=off" -kernel "$program${fault:+_$fault}")
+options=(-M mps2-an500 -display none -monitor none -icount "shift=1,sleep=off" -kernel "$program${fault:+_$fault}")
 if [[ -n "$trace" ]]; then
   options+=(-d int -trace mps2_fpgaio_write -trace cmsdk_apb_uart_tx -D "$trace")
 fi
+if [[ -n "$uart" ]]; then
+  rm -rf "$work"
+  trap - EXIT
+  exec qemu-system-arm "${options[@]}" -serial "$uart"
+fi
+options+=(-serial stdio)
 mkfifo "$work/uart"
 # A minute, and as long as a machine takes that is thirty times as slow as the one of the figures.
 timeout $((60 + ticks / 200)) qemu-system-arm "${options[@]}" </dev/null >"$work/uart" 2>"$work/errors" &

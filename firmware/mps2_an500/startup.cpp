@@ -18,6 +18,8 @@ extern "C" {
 [[noreturn]] void run_program();  // in main.cpp
 void fault_handler();
 void tick_handler();
+void receive_handler();
+void send_handler();
 
 // The compiler calls it where a function without a body is called.
 [[noreturn]] void __cxa_pure_virtual();  // NOLINT(readability-identifier-naming)
@@ -38,11 +40,16 @@ struct VectorTable {
   Handler last;
 };
 constexpr std::size_t kSysTickVector = 15;
+// The interrupts 0 and 1 of the board are of UART0.
+constexpr std::size_t kReceiveVector = kProcessorVectors + 0;
+constexpr std::size_t kSendVector = kProcessorVectors + 1;
 
 constexpr auto handlers() {
   std::array<Handler, kProcessorVectors + kBoardVectors - 3> all{};
   std::ranges::fill(all, fault_handler);
   all[kSysTickVector - 2] = tick_handler;
+  all[kReceiveVector - 2] = receive_handler;
+  all[kSendVector - 2] = send_handler;
   return all;
 }
 

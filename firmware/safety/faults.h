@@ -57,6 +57,7 @@ enum FaultBits : std::uint64_t {
   kFaultMotorReversed = 1ULL << 43,
   kFaultEffortMismatch = 1ULL << 44,
   kFaultOtherDevice = 1ULL << 45,
+  kFaultLineLost = 1ULL << 46,
 
   kLimitLateTick = 1ULL << 48,
   kLimitWorkspace = 1ULL << 49,
@@ -174,6 +175,9 @@ inline constexpr auto kFaultTexts = std::to_array<FaultText>({
     {kFaultOtherDevice, "other_device",
      "another device of this controller has a fault: `fault_device` says which", "stop",
      "see that device's fault; reset both"},
+    {kFaultLineLost, "line_lost",
+     "the host that supervises this board has been silent on its serial line for half a second",
+     "stop", "check cable and host, connect again, reset"},
     {kLimitLateTick, "late_tick", "tick began too late", "none but the count", "by itself"},
     {kLimitWorkspace, "workspace_wall", "tool is in a wall of the workspace", "wall pushes back",
      "by itself"},

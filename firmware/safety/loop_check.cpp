@@ -22,6 +22,9 @@ std::uint64_t LoopCheck::check(const LoopReport& report) {
   if ((report.status & kLoopHelperCrashed) != 0) {
     bits |= kFaultHelperCrashed;
   }
+  if ((report.status & kLoopLineLost) != 0) {
+    bits |= kFaultLineLost;
+  }
   if (report.missed_ticks >= missed_ticks_to_fault_) {
     bits |= kFaultTickOverrun;
   }

@@ -18,6 +18,8 @@ enum LoopStatus : std::uint32_t {
   kLoopWatchdogLost = 1U << 1,
   // A thread beside the loop has crashed; the program will end.
   kLoopHelperCrashed = 1U << 2,
+  // The host that supervises a bare board over its serial line has fallen silent.
+  kLoopLineLost = 1U << 3,
 };
 
 // The loop's report for one tick.

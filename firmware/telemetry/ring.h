@@ -58,7 +58,8 @@ class Ring {
     begin_.store(begin_.load(std::memory_order_relaxed) + 1, std::memory_order_release);
   }
 
-  // Returns the number of items dropped since the start. Any thread.
+  // Returns the number of items dropped since the start, which a machine of 32 bits counts to 2^32.
+  // Any thread.
   [[nodiscard]] std::uint64_t dropped() const { return dropped_.load(std::memory_order_relaxed); }
 
  private:
@@ -68,7 +69,7 @@ class Ring {
   alignas(kCacheLine) std::atomic<std::size_t> end_{0};
   // The producer's last look at begin_.
   std::size_t seen_begin_ = 0;
-  std::atomic<std::uint64_t> dropped_{0};
+  std::atomic<std::size_t> dropped_{0};
   alignas(kCacheLine) std::atomic<std::size_t> begin_{0};
   // The consumer's last look at end_.
   std::size_t seen_end_ = 0;

@@ -27,6 +27,9 @@ enum class EventKind : std::uint8_t {
 inline constexpr std::array<std::string_view, 5> kEventKindNames = {"parameter", "scene", "request",
                                                                     "inject", "note"};
 
+// The name of an event `scene`, and of the attachment of a recording that has the scene's image.
+inline constexpr std::string_view kSceneAttachment = "scene.tactus";
+
 // One event.
 struct TelemetryEvent {
   // The number of the first tick with it.

@@ -19,11 +19,12 @@ namespace tactus::hal {
 void motors_off();
 void motors_on();
 
-// Starts a timer that ends a period `rate_hz` times a second.
+// Starts a timer that ends a period `rate_hz` times a second, and the receiver of the UART.
 void start_ticks(std::uint32_t rate_hz);
 
 // Sleeps until the end of a period, and returns how many have ended since the last call: 1 if the
-// caller is in time. It does not sleep if one has ended already.
+// caller is in time. It does not sleep if one has ended already. It returns 0 where something else
+// has ended the sleep, such as room for a character in the UART, which must do so.
 std::uint32_t wait_for_tick();
 
 // Returns a monotonic time, ns; it stands still before start_ticks. It may be called from the tick.
@@ -40,6 +41,13 @@ void feed_watchdog();
 // Gives a character to the UART. Returns false if the UART has no room for it now. It may be called
 // from any handler.
 bool put_char(char character);
+
+// Takes the next character that the UART has received since start_ticks. Returns false if there is
+// none. Characters come at any time, also in a tick: an interrupt puts them into memory, which has
+// room for those of two periods or more.
+bool get_char(char& character);
+// Returns the number of characters that came too fast for the UART or for that memory.
+std::uint32_t lost_chars();
 
 // Returns memory that keeps its content over a restart, but not without power. It may be called
 // from any handler.

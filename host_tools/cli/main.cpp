@@ -27,8 +27,10 @@
 #include "host_tools/cli/export_verb.h"
 #include "host_tools/cli/faults_verb.h"
 #include "host_tools/cli/fit_verb.h"
+#include "host_tools/cli/flash_verb.h"
 #include "host_tools/cli/friction_verb.h"
 #include "host_tools/cli/inspect_verb.h"
+#include "host_tools/cli/line_verb.h"
 #include "host_tools/cli/monitor_verb.h"
 #include "host_tools/cli/plot_verb.h"
 #include "host_tools/cli/remote_verbs.h"
@@ -55,16 +57,17 @@ using AddVerb = void (*)(CLI::App& app);
 
 // The verbs in the order of --help.
 constexpr std::array kVerbs = {
-    AddVerb{tactus::host::add_demo_verb},    AddVerb{tactus::host::add_bake_verb},
-    AddVerb{tactus::host::add_inspect_verb}, AddVerb{tactus::host::add_touch_verb},
-    AddVerb{tactus::host::add_sim_verb},     AddVerb{tactus::host::add_plot_verb},
-    AddVerb{tactus::host::add_bench_verb},   AddVerb{tactus::host::add_friction_verb},
-    AddVerb{tactus::host::add_fit_verb},     AddVerb{tactus::host::add_emulate_verb},
-    AddVerb{tactus::host::add_faults_verb},  AddVerb{tactus::host::add_doctor_verb},
-    AddVerb{tactus::host::add_deploy_verb},  AddVerb{tactus::host::add_replay_verb},
-    AddVerb{tactus::host::add_export_verb},  AddVerb{tactus::host::add_remote_verbs},
-    AddVerb{tactus::host::add_certify_verb}, AddVerb{tactus::host::add_commission_verb},
-    AddVerb{tactus::host::add_monitor_verb}, AddVerb{tactus::host::add_watch_verb},
+    AddVerb{tactus::host::add_demo_verb},       AddVerb{tactus::host::add_bake_verb},
+    AddVerb{tactus::host::add_inspect_verb},    AddVerb{tactus::host::add_touch_verb},
+    AddVerb{tactus::host::add_sim_verb},        AddVerb{tactus::host::add_plot_verb},
+    AddVerb{tactus::host::add_bench_verb},      AddVerb{tactus::host::add_friction_verb},
+    AddVerb{tactus::host::add_fit_verb},        AddVerb{tactus::host::add_emulate_verb},
+    AddVerb{tactus::host::add_faults_verb},     AddVerb{tactus::host::add_doctor_verb},
+    AddVerb{tactus::host::add_deploy_verb},     AddVerb{tactus::host::add_flash_verb},
+    AddVerb{tactus::host::add_replay_verb},     AddVerb{tactus::host::add_export_verb},
+    AddVerb{tactus::host::add_remote_verbs},    AddVerb{tactus::host::add_certify_verb},
+    AddVerb{tactus::host::add_commission_verb}, AddVerb{tactus::host::add_monitor_verb},
+    AddVerb{tactus::host::add_watch_verb},      AddVerb{tactus::host::add_line_verb},
     AddVerb{tactus::host::add_compare_verb},
 };
 

@@ -1,5 +1,6 @@
 #include "host_tools/cli/monitor_verb.h"
 
+#include "host_tools/cli/reach_controller.h"
 #include "host_tools/cli/run_folder_option.h"
 #include "host_tools/monitor/session.h"
 
@@ -20,7 +21,8 @@ constexpr const char* kMonitorExamples =
     "  ssh -t board tactus monitor        that of another\n"
     "  tactus monitor --device 2          the second of its devices\n"
     "  tactus monitor --device left       the one of left.tactus\n"
-    "  tactus monitor --run-dir /tmp/run  one that was started with that --run-dir";
+    "  tactus monitor --run-dir /tmp/run  one that was started with that --run-dir\n"
+    "  tactus monitor --serial /dev/ttyACM0    a bare board at the other end of a line";
 
 }  // namespace
 
@@ -29,7 +31,12 @@ void add_monitor_verb(CLI::App& app) {
   const auto run = std::make_shared<RunFolderOption>();
   add_run_folder_option(*verb, *run);
   verb->footer(kMonitorExamples);
-  verb->callback([run] { run_monitor(run->folder().string()); });
+  verb->callback([run] {
+    with_controller(*run, {.ticks = true},
+                    [](const std::filesystem::path& folder, const LineSession* line) {
+                      run_monitor(folder, [line] { return line != nullptr && line->has_failed(); });
+                    });
+  });
 }
 
 }  // namespace tactus::host

@@ -14,7 +14,10 @@
 #include <thread>
 #include <utility>
 
+#include "host_tools/cli/line_verb.h"
+#include "host_tools/cli/reach_controller.h"
 #include "host_tools/cli/run_folder_option.h"
+#include "host_tools/input_error.h"
 #include "host_tools/remote/remote.h"
 
 namespace tactus::host {
@@ -32,6 +35,7 @@ struct RemoteOptions {
   std::string file;
   std::uint32_t ticks = 1;
   bool wait = false;
+  double seconds = 0.0;
 };
 using SharedOptions = std::shared_ptr<RemoteOptions>;
 
@@ -66,16 +70,20 @@ void tell(const Reply& reply) {
 void tell(const RemoteOptions& options, const std::string& line) {
   // The reply to `list` takes a tick for every parameter of every object.
   constexpr std::chrono::minutes kLongList(1);
-  Remote remote(options.run.folder());
-  tell(remote.send(line, line == "list" ? std::chrono::milliseconds(kLongList)
-                                        : std::chrono::milliseconds(5000)));
+  const bool is_of_object = line == "list" || line.find(" object.") != std::string::npos;
+  with_controller(options.run, {.images = is_of_object},
+                  [&](const std::filesystem::path& folder, const LineSession* /*line*/) {
+                    Remote remote(folder);
+                    tell(remote.send(line, line == "list" ? std::chrono::milliseconds(kLongList)
+                                                          : std::chrono::milliseconds(5000)));
+                  });
 }
 
 // Starts homing, and waits until it is over if the user asks for that.
-void home(const RemoteOptions& options) {
-  Remote remote(options.run.folder());
+void home(const std::filesystem::path& folder, bool wait) {
+  Remote remote(folder);
   tell(remote.send("home"));
-  while (options.wait) {
+  while (wait) {
     const Reply status = remote.send("status");
     const std::string mode = field_of(status.text, "mode").value_or("");
     if (mode != "homing") {
@@ -89,12 +97,20 @@ void home(const RemoteOptions& options) {
   }
 }
 
+// Sends the emergency stop and prints the reply. On a line it goes before anything else.
+void stop(const RunFolderOption& run) {
+  tell(run.serial.empty() ? send_stop(run.folder())
+                          : send_stop_over_line(parse_serial_place(run.serial)));
+}
+
 void add_requests(CLI::App& app) {
   constexpr auto kRequests = std::to_array<VerbText>({
       {"enable", "Let the running controller put force on the hand",
        "Works in the mode `ready`; the force rises softly.\n\nExamples:\n  tactus home --wait && "
        "tactus enable\n  tactus enable --device 2             the second of several devices\n  "
-       "tactus enable --device left          the one of left.tactus"},
+       "tactus enable --device left          the one of left.tactus\n  tactus enable --serial "
+       "/dev/ttyACM0  a bare "
+       "board at the other end of a line"},
       {"disable", "Take the force away; the mode is then `ready`", "Example:\n  tactus disable"},
       {"reset", "Leave the mode `fault`, once its cause is gone",
        "Force comes back only through home and enable.\n\nExample:\n  tactus reset && tactus home "
@@ -110,7 +126,7 @@ void add_requests(CLI::App& app) {
     auto [verb, options] = add_verb(app, text);
     verb->callback([options, name = std::string(text.name)] {
       if (name == "estop") {
-        tell(send_stop(options->run.folder()));
+        stop(options->run);
       } else {
         tell(*options, name);
       }
@@ -119,7 +135,12 @@ void add_requests(CLI::App& app) {
   auto [verb, options] = add_verb(app, {"home", "Let the device find its reference",
                                         "Example:\n  tactus home --wait && tactus enable"});
   verb->add_flag("--wait", options->wait, "Until homing is over");
-  verb->callback([options] { home(*options); });
+  verb->callback([options] {
+    with_controller(options->run, {},
+                    [&](const std::filesystem::path& folder, const LineSession* /*line*/) {
+                      home(folder, options->wait);
+                    });
+  });
 }
 
 void add_parameters(CLI::App& app) {
@@ -159,16 +180,39 @@ void add_scene(CLI::App& app) {
       [options] { tell(*options, "scene " + std::filesystem::absolute(options->file).string()); });
 }
 
+// Records a board's ticks in this process, until the user ends it.
+void record_line(const RemoteOptions& options) {
+  if (options.value == "off") {
+    throw InputError("with --serial a recording ends by Ctrl-C or --seconds");
+  }
+  check_recording_name(options.file);
+  const PrivateFolder folder;
+  GatewayOptions gateway_of = gateway_options(options.run.serial);
+  gateway_of.run_dir = folder.path();
+  gateway_of.record = options.file;
+  LineGateway gateway(std::move(gateway_of));
+  run_gateway(gateway, options.seconds, options.file);
+}
+
 void add_record(CLI::App& app) {
-  auto [verb, options] =
-      add_verb(app, {"record", "Start or stop recording the running controller's ticks",
-                     "The controller writes the file, in its folder of recordings; its reply names "
-                     "it.\n\nExamples:\n  tactus record on press.mcap\n  tactus record off"});
+  auto [verb, options] = add_verb(
+      app, {"record", "Start or stop recording the running controller's ticks",
+            "The controller writes the file, in its folder of recordings; its reply names it. With "
+            "--serial this program writes it, until Ctrl-C.\n\nExamples:\n  tactus record on "
+            "press.mcap\n  tactus record off\n  tactus record on run.mcap --serial "
+            "unix:board.sock --seconds 10 && tactus replay run.mcap"});
   verb->add_option("switch", options->value, "on or off")
       ->required()
       ->check(CLI::IsMember({"on", "off"}));
   verb->add_option("file", options->file, "Name of the recording; needed with on");
+  verb->add_option("--seconds", options->seconds, "With --serial: end after so long")
+      ->needs(verb->get_option("--serial"))
+      ->check(CLI::NonNegativeNumber);
   verb->callback([options] {
+    if (!options->run.serial.empty()) {
+      record_line(*options);
+      return;
+    }
     tell(*options, options->value == "on" ? "record on " + options->file : "record off");
   });
 }

@@ -15,8 +15,8 @@
 #include <utility>
 #include <vector>
 
+#include "firmware/commands/injection.h"
 #include "firmware/linux/commands/device_folders.h"
-#include "firmware/linux/commands/injection.h"
 #include "firmware/linux/commands/scene_store.h"
 #include "hal/linux/clock.h"
 #include "host_tools/cli/served_device.h"

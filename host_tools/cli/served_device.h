@@ -9,8 +9,8 @@
 #include <memory>
 #include <string>
 
+#include "firmware/commands/command_queue.h"
 #include "firmware/configuration/config_state.h"
-#include "firmware/linux/commands/command_queue.h"
 #include "firmware/linux/commands/command_server.h"
 #include "firmware/linux/commands/scene_store.h"
 #include "firmware/linux/commands/telemetry_hooks.h"

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "host_tools/cli/monitor_verb.h"
+#include "host_tools/cli/reach_controller.h"
 #include "host_tools/cli/run_folder_option.h"
 #include "host_tools/input_error.h"
 #include "host_tools/monitor/explain_line.h"
@@ -37,7 +38,8 @@ constexpr const char* kWatchExamples =
     "  tactus watch --explain --every 100               the feature, planes, friction circle and "
     "step times\n"
     "  tactus watch --explain | grep -m 1 'state=edge'  the first tick at an edge\n"
-    "  tactus watch --fields mode,joint --seconds 1 | wc -l";
+    "  tactus watch --fields mode,joint --seconds 1 | wc -l\n"
+    "  tactus watch --serial /dev/ttyACM0               a bare board at the other end of a line";
 
 // The verb's options as the user gave them.
 struct WatchOptions {
@@ -110,17 +112,28 @@ std::string Lines::line_of(const LiveMessage& message) {
   return {};
 }
 
-void print_run(const WatchOptions& options) {
+// Written by a signal, read by the loop.
+volatile std::sig_atomic_t watch_is_to_end = 0;
+
+// A board takes a program that ends by a signal for a lost line, so Ctrl-C has to end it in order.
+void end_on_signals() {
+  const auto on_end = [](int /*signal*/) { watch_is_to_end = 1; };
+  std::signal(SIGINT, on_end);
+  std::signal(SIGTERM, on_end);
+}
+
+void print_run(const WatchOptions& options, const std::filesystem::path& folder) {
   using std::chrono::steady_clock;
   // A closed pipe is then an error of the write that finds it, not a signal that ends the program.
   std::signal(SIGPIPE, SIG_IGN);
-  LiveReader reader((options.run.folder() / kLiveSocketFile).string());
+  LiveReader reader((folder / kLiveSocketFile).string());
   reader.ask_for_explanations(options.explain);
   Lines lines(options);
   const auto begin = steady_clock::now();
   const auto over = [&] {
-    return options.seconds > 0.0 &&
-           steady_clock::now() - begin >= std::chrono::duration<double>(options.seconds);
+    return watch_is_to_end != 0 ||
+           (options.seconds > 0.0 &&
+            steady_clock::now() - begin >= std::chrono::duration<double>(options.seconds));
   };
   while (!reader.ended() && !over()) {
     const auto message = reader.next(std::chrono::milliseconds(0));
@@ -143,7 +156,16 @@ void print_run(const WatchOptions& options) {
 
 void run(const WatchOptions& options) {
   if (!options.list) {
-    print_run(options);
+    if (options.explain && !options.run.serial.empty()) {
+      throw InputError("a board sends no explanations: record it, and use tactus replay --explain");
+    }
+    with_controller(options.run, {.ticks = true},
+                    [&](const std::filesystem::path& folder, const LineSession* line) {
+                      if (line != nullptr) {
+                        end_on_signals();
+                      }
+                      print_run(options, folder);
+                    });
     return;
   }
   for (const std::string& field : column_names(drivers::kMaxJoints)) {

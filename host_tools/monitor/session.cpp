@@ -66,10 +66,10 @@ class Session {
     reader_.emplace(socket_);
   }
 
-  void run() {
+  void run(const std::function<bool()>& is_over) {
     Terminal terminal;
     auto next_picture = steady_clock::now();
-    while (asked_to_end == 0) {
+    while (asked_to_end == 0 && !is_over()) {
       wait(next_picture);
       take_messages();
       if (!take_keys(terminal)) {
@@ -169,13 +169,13 @@ class Session {
 
 }  // namespace
 
-void run_monitor(const std::filesystem::path& run_dir) {
+void run_monitor(const std::filesystem::path& run_dir, const std::function<bool()>& is_over) {
   struct sigaction action{};
   action.sa_handler = on_end;
   ::sigaction(SIGINT, &action, nullptr);
   ::sigaction(SIGTERM, &action, nullptr);
   ::sigaction(SIGHUP, &action, nullptr);
-  Session(run_dir).run();
+  Session(run_dir).run(is_over);
 }
 
 }  // namespace tactus::host

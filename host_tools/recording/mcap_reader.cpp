@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "firmware/linux/telemetry/crc32.h"
 #include "firmware/linux/telemetry/mcap_format.h"
+#include "firmware/telemetry/crc32.h"
 #include "host_tools/input_error.h"
 
 namespace tactus::host {

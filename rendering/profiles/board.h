@@ -28,6 +28,8 @@ inline constexpr CapacityProfile kBoardProfile{
     .controller_bytes = std::size_t{2} << 20,
     .checkpoint_bytes = std::size_t{512} << 10,
     .flight_ticks = 16384,
+    .waiting_commands = 16,
+    .waiting_answers = 64,
 };
 
 }  // namespace tactus::rendering

@@ -53,11 +53,17 @@ struct CapacityProfile {
   std::size_t checkpoint_bytes;
   // Ticks of the flight recorder, which a Linux board has; a power of two.
   std::size_t flight_ticks;
+  // Commands whose answers have not been taken, and the answers that have room, a power of two.
+  std::size_t waiting_commands;
+  std::size_t waiting_answers;
 };
 
 // Returns true if the profile keeps the bounds above, and every size is at least one.
 constexpr bool is_sound(const CapacityProfile& profile) {
   constexpr std::size_t kMostNumbered = 254;
+  const auto is_power_of_two = [](std::size_t size) {
+    return size > 0 && (size & (size - 1)) == 0;
+  };
   const auto is_numbered = [](std::size_t size) { return size >= 1 && size <= kMostNumbered; };
   const bool has_scene = !profile.name.empty() && profile.objects >= 1 && profile.tools >= 1 &&
                          is_numbered(profile.movers) && is_numbered(profile.independent_objects) &&
@@ -70,7 +76,9 @@ constexpr bool is_sound(const CapacityProfile& profile) {
   return has_scene && has_bodies && is_numbered(profile.changed_objects) &&
          profile.candidates >= 4 && profile.candidates % 4 == 0 && profile.controller_bytes >= 1 &&
          profile.checkpoint_bytes >= 1 && profile.flight_ticks >= 8 &&
-         (profile.flight_ticks & (profile.flight_ticks - 1)) == 0;
+         is_power_of_two(profile.flight_ticks) && is_power_of_two(profile.waiting_commands) &&
+         is_power_of_two(profile.waiting_answers) &&
+         profile.waiting_answers > profile.waiting_commands;
 }
 
 }  // namespace tactus::rendering

@@ -29,6 +29,8 @@ inline constexpr CapacityProfile kMicrocontrollerProfile{
     .controller_bytes = std::size_t{176} << 10,
     .checkpoint_bytes = std::size_t{48} << 10,
     .flight_ticks = 1024,
+    .waiting_commands = 8,
+    .waiting_answers = 32,
 };
 
 }  // namespace tactus::rendering

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <string_view>
 
 #include "drivers/device.h"
 #include "firmware/bare_metal/board_loop.h"
@@ -64,15 +65,17 @@ class HarmfulDevice {
   std::uint64_t tick_ = 0;
 };
 
+constexpr std::string_view kBoard = "mps2_an500";
+
 tactus::firmware::LoadedController loaded;
 tactus::firmware::HeldHandle handle;
 
 }  // namespace
 
 void run_program() {
-  tactus::firmware::begin("mps2_an500");
+  tactus::firmware::begin(kBoard);
   tactus::firmware::start_or_stop(loaded);
   handle.start(loaded.device());
   HarmfulDevice device(handle);
-  tactus::firmware::run_for_ever(loaded, device);
+  tactus::firmware::run_for_ever(kBoard, loaded, device);
 }

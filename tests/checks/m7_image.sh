@@ -1,19 +1,24 @@
 #!/usr/bin/env bash
 # The program of the board mps2_an500 runs in QEMU with the hashes of this machine. Its size, its times and its stack are those of the
-# figures that are kept, within 2 %. Each planted fault takes the motors' power first, and then is told with its code.
+# figures that are kept, within 2 %. Each planted fault takes the motors' power first, and then is told with its code. A host at the
+# other end of the UART gets ticks, answers and an image; its stop and its silence take the power.
 # TACTUS_RENEW_GOLDEN=1 writes the figures anew. Ends with 1 if the program does anything else, and with 2 if it cannot be built or run.
 set -euo pipefail
 ticks=100000
 figures=tests/reference/mps2_an500_figures.csv
 board=firmware/mps2_an500/run.sh program=build/cortex-m7/bin/mps2_an500 images=build/cortex-m7/images
-work="$(mktemp -d)"
-trap 'rm -rf "$work"' EXIT
+work="$(mktemp -d)" running=""
+end() {
+  if [[ -n "$running" ]]; then kill "$running" 2>/dev/null || true; fi
+  rm -rf "$work"
+}
+trap end EXIT
 
 if ! command -v qemu-system-arm >/dev/null; then
   echo "m7_image: there is no qemu-system-arm: toolchains/install-packages.sh cortex-m7" >&2
   exit 2
 fi
-tests/checks/build.sh release bare_metal_reference || exit 2
+tests/checks/build.sh release bare_metal_reference line_check || exit 2
 "$board" --build || exit 2
 
 passed=0 failed=0
@@ -92,7 +97,7 @@ result=0
 if [[ -z "$worst_ns" || "$worst_ns" -gt "$budget_ns" ]]; then result=1; fi
 verdict "the longest tick, ${worst_ns:-unknown} ns, is within its budget of $budget_ns ns" "$result"
 
-# Prints what happened in QEMU's trace, in the order of time: restarts, exceptions but for the tick's, changes of the motors' power, and
+# Prints what happened in QEMU's trace, in the order of time: restarts, exceptions but for those of the tick and the UART, changes of the motors' power, and
 # a line of text where its first character is sent. Left out are the lines of ticks before a fault, and exceptions after a stop, where
 # the watchdog may come once more.
 story() {
@@ -103,7 +108,7 @@ story() {
     }
     function event(what) { events[++count] = what }
     /^Loaded reset SP 0x2/ { event("restart"); power = "" }
-    /taking pending .* exception/ && $NF != 15 && !is_stopped { event("exception " $NF) }
+    /taking pending .* exception/ && $NF < 15 && !is_stopped { event("exception " $NF) }
     /^mps2_fpgaio_write .* offset 0x0 / {
       now = / data 0x0 / ? "power off" : "power on"
       if (now != power) event(now)
@@ -112,6 +117,7 @@ story() {
     /^cmsdk_apb_uart_tx / {
       match($0, /0x[0-9a-f]+/)
       code = value(substr($0, RSTART + 2, RLENGTH - 2))
+      if (code == 0) next # what ends a frame
       if (!is_inside) { event(""); line = count; is_inside = 1 }
       if (code == 10) { is_inside = 0 } else if (code != 13) { events[line] = events[line] sprintf("%c", code) }
       if (events[line] ~ /^stop /) is_stopped = 1
@@ -166,6 +172,61 @@ power off
 fault 1 joint_not_finite tick 3500
 tick 4000 mode fault
 END
+
+# The host at the other end of the UART. start OPTION...: runs the board with its UART on the pseudo-terminal $terminal, for `stop`.
+start() {
+  : >"$work/errors"
+  "$board" --uart pty "$@" >"$work/errors" 2>&1 &
+  running=$!
+  terminal=""
+  while [[ -z "$terminal" ]] && kill -0 "$running" 2>/dev/null; do
+    sleep 0.1
+    terminal="$(sed -n 's/^char device redirected to \([^ ]*\) .*/\1/p' "$work/errors")"
+  done
+}
+stop() {
+  kill "$running" 2>/dev/null || true
+  wait "$running" 2>/dev/null || true
+  running=""
+}
+result=0
+start
+build/release/bin/line_check talk "$terminal" "$images/device.tactus" "$images/scene.tactus" || result=1
+stop
+verdict "a host gets ticks, answers and an image, and its stop and its silence take the force" "$result"
+
+# power_at_line BEGIN: the motors' power when the first line that begins so is sent, by QEMU's trace.
+power_at_line() {
+  awk -v begin="$1" '
+    function value(digits,  i, sum) {
+      for (i = 1; i <= length(digits); ++i) sum = 16 * sum + index("0123456789abcdef", substr(digits, i, 1)) - 1
+      return sum
+    }
+    /^mps2_fpgaio_write .* offset 0x0 / { power = / data 0x0 / ? "off" : "on"; if (power == "on") was_on = 1 }
+    /^cmsdk_apb_uart_tx / {
+      match($0, /0x[0-9a-f]+/)
+      code = value(substr($0, RSTART + 2, RLENGTH - 2))
+      if (code == 10 || code == 0) { line = ""; next }
+      line = line sprintf("%c", code)
+      if (line == begin) { print was_on ? power : "never on"; exit }
+    }' "$work/trace"
+}
+
+# A host that supervises the active board, and goes: nobody is there to hear the line, but QEMU's trace has it.
+: >"$work/trace"
+result=0
+start --trace "$work/trace"
+build/release/bin/line_check leave "$terminal" || result=1
+power=""
+for _ in {1..100}; do
+  power="$(power_at_line "fault 46 line_lost ")"
+  if [[ -n "$power" ]]; then break; fi
+  sleep 0.2
+done
+stop
+echo "when the lost line is told, the motors' power is ${power:-unknown}"
+[[ "$power" == off ]] || result=1
+verdict "a host that has gone takes the motors' power, then the report is told" "$result"
 
 echo "$passed $failed 0" >"${TACTUS_COUNTS:-/dev/null}"
 [[ "$failed" -eq 0 ]]

@@ -11,7 +11,7 @@
 #include <filesystem>
 #include <string>
 
-#include "firmware/linux/commands/command_queue.h"
+#include "firmware/commands/command_queue.h"
 #include "firmware/linux/flight/flight_writer.h"
 #include "firmware/linux/tactusd/loop.h"
 #include "firmware/linux/tactusd/supervisor.h"

@@ -36,7 +36,7 @@ tactus_check_includes(hal rendering drivers firmware host_tools tests)
 tactus_check_includes(drivers rendering firmware host_tools tests)
 tactus_check_includes(firmware host_tools tests)
 tactus_check_includes(host_tools tests)
-foreach(room IN ITEMS commissioning configuration control device_file kinematics safety telemetry)
+foreach(room IN ITEMS bare_metal commands commissioning configuration control device_file kinematics line safety telemetry)
   tactus_check_includes(firmware/${room} hal/linux firmware/linux)
 endforeach()
 

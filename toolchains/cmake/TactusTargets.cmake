@@ -3,6 +3,8 @@
 #   controller: no exceptions, no run-time type information. SMALL marks code that mostly works before the first tick, which a
 #   toolchain may compile for size (TACTUS_SMALL_OPTIONS). A library without sources is an INTERFACE library.
 #   A library outside of host_tools/ and tests/ is installed.
+# tactus_small(FILE...)
+#   Sources of the calling CMakeLists.txt that work before the first tick, of a library whose other sources work in it: compiled as SMALL says.
 # tactus_program(NAME SOURCES file... DEPENDS target...)
 #   A host program, put in <build>/bin.
 # tactus_embed(TARGET NAME FILE)
@@ -57,6 +59,13 @@ function(tactus_library name)
   target_link_libraries(${target} ${scope} ${arg_DEPENDS})
   if(NOT CMAKE_CURRENT_SOURCE_DIR MATCHES "^${PROJECT_SOURCE_DIR}/(host_tools|tests)")
     set_property(GLOBAL APPEND PROPERTY TACTUS_LIBRARIES ${target})
+  endif()
+endfunction()
+
+function(tactus_small)
+  # A source with options of its own is compiled by itself.
+  if(TACTUS_SMALL_OPTIONS)
+    set_source_files_properties(${ARGN} PROPERTIES COMPILE_OPTIONS "${TACTUS_SMALL_OPTIONS}")
   endif()
 endfunction()
 

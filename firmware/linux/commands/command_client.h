@@ -9,7 +9,7 @@
 #include <optional>
 #include <string_view>
 
-#include "firmware/linux/commands/command.h"
+#include "firmware/commands/command.h"
 #include "firmware/linux/commands/command_line.h"
 #include "firmware/linux/commands/text_line.h"
 #include "hal/linux/system.h"

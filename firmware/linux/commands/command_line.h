@@ -9,9 +9,9 @@
 #include <expected>
 #include <string_view>
 
+#include "firmware/commands/injection.h"
 #include "firmware/control/mode.h"
 #include "firmware/control/parameter_name.h"
-#include "firmware/linux/commands/injection.h"
 
 namespace tactus::firmware {
 

@@ -92,8 +92,7 @@ void CommandProcessor::carry_out(CommandClient& client, const CommandLine& comma
       break;
     case Verb::inject:
       if (!allow_inject_) {
-        refuse(client, "inject",
-               "this controller takes no faults from outside; start it with --allow-inject");
+        refuse(client, "inject", hooks_.inject_refusal);
         break;
       }
       ask(client, {.kind = CommandKind::inject, .injection = command.injection});
@@ -105,7 +104,7 @@ void CommandProcessor::carry_out(CommandClient& client, const CommandLine& comma
 }
 
 void CommandProcessor::ask(CommandClient& client, Command command) {
-  last_ticket_ = std::max<Ticket>(last_ticket_ + 1, 1);
+  last_ticket_ = last_ticket_ % kLargestTicket + 1;
   command.ticket = last_ticket_;
   client.waiting.ticket = command.ticket;
   client.waiting.command = command;
@@ -150,6 +149,10 @@ void CommandProcessor::ask_parameter(CommandClient& client, const CommandLine& c
 // Asks for the mode before it opens the file: no command is carried out while a file is read, so a
 // file is never read while the motors have power.
 void CommandProcessor::ask_scene(CommandClient& client, std::string_view file) {
+  if (!hooks_.scene_refusal.empty()) {
+    refuse(client, "scene", hooks_.scene_refusal);
+    return;
+  }
   if (scenes_ == nullptr) {
     refuse(client, "scene", kOfFirstDevice);
     return;

@@ -10,9 +10,9 @@
 #include <span>
 #include <string_view>
 
+#include "firmware/commands/command_queue.h"
 #include "firmware/device_file/certificate_words.h"
 #include "firmware/linux/commands/command_client.h"
-#include "firmware/linux/commands/command_queue.h"
 #include "firmware/linux/commands/scene_store.h"
 
 namespace tactus::firmware {
@@ -30,6 +30,11 @@ struct RunHooks {
   void (*scene_changed)(void* run, std::span<const std::byte> image) = nullptr;
   // Says why this device may not be enabled and what to do; empty if it may. Outlives the server.
   std::string_view enable_refusal;
+  // Say why this controller takes no other scene, and no injected faults, and what to do; empty if
+  // it may. They outlive the server.
+  std::string_view scene_refusal;
+  std::string_view inject_refusal =
+      "this controller takes no faults from outside; start it with --allow-inject";
   // Says what the user has to do while the device homes; empty if nothing. Outlives the server.
   std::string_view homing_hint;
 };

@@ -11,9 +11,9 @@
 #include <cstdint>
 #include <expected>
 
+#include "firmware/commands/command_queue.h"
 #include "firmware/linux/commands/command_client.h"
 #include "firmware/linux/commands/command_processor.h"
-#include "firmware/linux/commands/command_queue.h"
 #include "firmware/linux/commands/listening_socket.h"
 #include "firmware/linux/commands/scene_store.h"
 #include "firmware/linux/commands/stop_listener.h"

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <string_view>
 
-#include "firmware/linux/commands/command.h"
+#include "firmware/commands/command.h"
 #include "firmware/linux/commands/text_line.h"
 
 namespace tactus::firmware {

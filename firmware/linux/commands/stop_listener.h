@@ -9,7 +9,7 @@
 #include <atomic>
 #include <expected>
 
-#include "firmware/linux/commands/command_queue.h"
+#include "firmware/commands/command_queue.h"
 #include "firmware/linux/commands/listening_socket.h"
 #include "firmware/linux/realtime/helper_thread.h"
 

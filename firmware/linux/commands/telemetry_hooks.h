@@ -4,7 +4,7 @@
 
 #include <span>
 
-#include "firmware/linux/commands/command_queue.h"
+#include "firmware/commands/command_queue.h"
 #include "firmware/linux/commands/command_server.h"
 #include "firmware/linux/flight/flight_writer.h"
 #include "firmware/linux/telemetry/telemetry_writer.h"

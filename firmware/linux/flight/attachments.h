@@ -7,12 +7,12 @@
 #include <string_view>
 
 #include "firmware/linux/telemetry/attachment_list.h"
+#include "firmware/telemetry/telemetry_event.h"
 
 namespace tactus::firmware {
 
-// The names of the device image and the scene image, as they were given to the program.
+// The name of the device image, as it was given to the program. kSceneAttachment is the scene's.
 inline constexpr std::string_view kDeviceAttachment = "device.tactus";
-inline constexpr std::string_view kSceneAttachment = "scene.tactus";
 // The ControllerConfig written by save_config(), for a run without a device image.
 inline constexpr std::string_view kConfigAttachment = "controller.config";
 // The bytes of Controller::save() before the first recorded tick, if that is not tick 0.

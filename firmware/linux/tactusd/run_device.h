@@ -6,8 +6,8 @@
 #include <optional>
 
 #include "drivers/composition/composed_device.h"
+#include "firmware/commands/command_queue.h"
 #include "firmware/control/controller.h"
-#include "firmware/linux/commands/command_queue.h"
 #include "firmware/linux/commands/command_server.h"
 #include "firmware/linux/realtime/watchdog_output.h"
 #include "firmware/linux/tactusd/device_inputs.h"

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <span>
 
-#include "firmware/linux/telemetry/crc32.h"
+#include "firmware/telemetry/crc32.h"
 #include "hal/linux/system.h"
 
 namespace tactus::firmware {

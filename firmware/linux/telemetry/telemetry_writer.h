@@ -42,6 +42,11 @@ class TelemetryWriter {
     tick.dropped = ticks_.dropped();
     ticks_.push(tick);
   }
+  // Publishes a tick that came from afar, with the number of ticks that were dropped on its path.
+  void publish_relayed(RecordedTick& tick) {
+    tick.dropped += ticks_.dropped();
+    ticks_.push(tick);
+  }
   void publish(const TelemetryEvent& event) { events_.push(event); }
   // Publishes an explanation of the same tick, before or after it. Like a tick it is dropped if the
   // thread is too slow, but not counted: its readers see a gap in the numbers.

@@ -11,6 +11,8 @@ struct FakeBoardState {
   std::uint32_t offers = 0;
   StopCode seen = StopCode::none;
   bool is_in_text = false;
+  std::uint64_t now_ns = 0;
+  bool is_half_over = false;
 };
 
 FakeBoardState& fake_state() {
@@ -54,10 +56,12 @@ void power_up_fake_board() {
 }
 
 void motors_off() {
+  fake_state().board.has_power = false;
   write_down("off");
 }
 
 void motors_on() {
+  fake_state().board.has_power = true;
   write_down("on");
 }
 
@@ -75,10 +79,46 @@ bool put_char(char character) {
     state.board.events += '\'';
     state.is_in_text = true;
   }
+  state.board.sent += character;
   if (character != '\r') {
-    state.board.events += character == '\n' ? '/' : character;
+    const char shown = character == '\n' ? '/' : character;
+    state.board.events += shown == '\0' ? '~' : shown;
   }
   return true;
+}
+
+bool get_char(char& character) {
+  std::deque<char>& received = fake_state().board.received;
+  if (received.empty()) {
+    return false;
+  }
+  character = received.front();
+  received.pop_front();
+  return true;
+}
+
+std::uint32_t lost_chars() {
+  return kFakeLostChars;
+}
+
+void start_ticks(std::uint32_t rate_hz) {
+  write_down("ticks " + std::to_string(rate_hz) + " Hz");
+}
+
+// Something else ends every second sleep.
+std::uint32_t wait_for_tick() {
+  FakeBoardState& state = fake_state();
+  state.now_ns += kFakePeriod_ns / 2;
+  state.is_half_over = !state.is_half_over;
+  return state.is_half_over ? 0 : 1;
+}
+
+std::uint64_t now_ns() {
+  return fake_state().now_ns;
+}
+
+void feed_watchdog() {
+  ++fake_state().board.fed;
 }
 
 LatchedStop& latched_stop() {

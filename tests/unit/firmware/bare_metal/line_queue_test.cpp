@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <deque>
 #include <string>
 
@@ -11,7 +13,7 @@
 namespace tactus::firmware {
 namespace {
 
-constexpr std::size_t kQueueRoom = 1024;
+constexpr std::size_t kQueueRoom = kLineQueueBytes;
 
 // Returns what the queue gives to a UART that takes so many characters.
 std::string pumped(LineQueue& queue, std::size_t room) {
@@ -56,6 +58,21 @@ TEST(LineQueue, LeavesOutALineWithoutRoomAsAWhole) {
   EXPECT_EQ(pumped(queue, 2 * kQueueRoom), filling.substr(1) + "\r\n");
   queue.push("room again");
   EXPECT_EQ(pumped(queue, kQueueRoom), "room again\r\n");
+}
+
+TEST(LineQueue, LeavesOutAFrameWithoutRoomAsAWhole) {
+  const std::array<std::byte, 100> message{std::byte{2}};
+  const std::size_t frame = most_frame_bytes(message.size());
+  LineQueue queue;
+  queue.push(std::string(kQueueRoom - 2 - frame, 'x'));
+  EXPECT_TRUE(queue.has_room(message.size()));
+  EXPECT_FALSE(queue.has_room(message.size(), 1));
+  EXPECT_FALSE(queue.has_room(message.size() + 1));
+  EXPECT_TRUE(queue.push_frame(message));
+  EXPECT_FALSE(queue.push_frame(message));
+  EXPECT_EQ(queue.dropped(), 1U);
+  const std::string text = pumped(queue, 2 * kQueueRoom);
+  EXPECT_EQ(std::ranges::count(text.substr(text.find('\n')), '\0'), 2) << "one frame";
 }
 
 TEST(LineQueue, NeverLosesMixesOrRepeatsACharacter) {

@@ -21,14 +21,14 @@ class BareMetalStop : public ::testing::Test {
 
 TEST_F(BareMetalStop, TakesThePowerThenLatchesThenTells) {
   EXPECT_EXIT(stop(StopCode::stack_overflow), ExitedWithCode(kHalted),
-              "^off latch 2 watchdog 500000 us 'stop 2 stack_overflow/' halt");
+              "^off latch 2 watchdog 500000 us '~stop 2 stack_overflow/' halt");
 }
 
 TEST_F(BareMetalStop, TellsTheInterruptedInstructionAndTheWords) {
   EXPECT_EXIT(stop(StopCode::watchdog, 0x9e8), ExitedWithCode(kHalted),
-              "'stop 1 watchdog at 00000000000009e8/' halt");
+              "'~stop 1 watchdog at 00000000000009e8/' halt");
   EXPECT_EXIT(stop(StopCode::scene_image, 0, "bits have changed"), ExitedWithCode(kHalted),
-              "'stop 9 scene_image: bits have changed/' halt");
+              "'~stop 9 scene_image: bits have changed/' halt");
 }
 
 // The watchdog interrupts the telling of a stop.
@@ -42,7 +42,7 @@ TEST_F(BareMetalStop, WithinAStopTakesThePowerAndTellsNothing) {
 
 TEST_F(BareMetalStop, TellsEveryCharacterToASlowUart) {
   fake_board().offers_per_char = 10'000;
-  EXPECT_EXIT(stop(StopCode::bus), ExitedWithCode(kHalted), "'stop 4 bus/' halt");
+  EXPECT_EXIT(stop(StopCode::bus), ExitedWithCode(kHalted), "'~stop 4 bus/' halt");
 }
 
 TEST_F(BareMetalStop, GivesUpAUartThatTakesNothing) {

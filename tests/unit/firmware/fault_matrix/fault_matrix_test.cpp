@@ -109,6 +109,7 @@ constexpr LoopReport kLateReport{.status = kLoopLate, .missed_ticks = 0};
 constexpr LoopReport kOverrunReport{.status = kLoopOnTime, .missed_ticks = 10};
 constexpr LoopReport kWatchdogReport{.status = kLoopWatchdogLost, .missed_ticks = 0};
 constexpr LoopReport kCrashReport{.status = kLoopHelperCrashed, .missed_ticks = 0};
+constexpr LoopReport kLineReport{.status = kLoopLineLost, .missed_ticks = 0};
 
 constexpr auto kFaults = std::to_array<MatrixFault>({
     {"drive silent", kFaultStaleSamples, kEvery, 3, report<drivers::kDeviceStale>},
@@ -133,6 +134,7 @@ constexpr auto kFaults = std::to_array<MatrixFault>({
     {"watchdog output gone", kFaultWatchdog, kEvery, 1, hold_the_loop_up<kWatchdogReport>},
     {"SIGSEGV in a thread beside the loop", kFaultHelperCrashed, kEvery, 1,
      hold_the_loop_up<kCrashReport>},
+    {"supervising host silent", kFaultLineLost, kEvery, 1, hold_the_loop_up<kLineReport>},
     {"non-finite pose", kFaultJointNotFinite, kEvery, 1, read_nan},
     {"non-finite velocity", kFaultJointNotFinite, kEvery, 1, read_infinite_velocity},
     {"encoder stuck", kFaultEncoderFrozen, kLocated, 52, freeze},

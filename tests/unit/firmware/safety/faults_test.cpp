@@ -43,6 +43,7 @@ TEST(Faults, CodesAreStable) {
   EXPECT_EQ(fault_code(kFaultOverTemperature), 40);
   EXPECT_EQ(fault_code(kFaultNotPassive), 41);
   EXPECT_EQ(fault_code(kFaultHelperCrashed), 42);
+  EXPECT_EQ(fault_code(kFaultLineLost), 46);
   EXPECT_EQ(fault_code(kLimitLateTick), 48);
   EXPECT_EQ(fault_code(kLimitWorkspace), 49);
   EXPECT_EQ(fault_code(kLimitSpeed), 50);

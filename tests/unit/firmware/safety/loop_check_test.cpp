@@ -56,5 +56,9 @@ TEST_F(LoopCheckTest, ACrashBesideTheLoopIsAFaultAtOnce) {
   EXPECT_EQ(check_.check({.status = kLoopHelperCrashed, .missed_ticks = 0}), kFaultHelperCrashed);
 }
 
+TEST_F(LoopCheckTest, ALostLineToASupervisingHostIsAFaultAtOnce) {
+  EXPECT_EQ(check_.check({.status = kLoopLineLost, .missed_ticks = 0}), kFaultLineLost);
+}
+
 }  // namespace
 }  // namespace tactus::firmware

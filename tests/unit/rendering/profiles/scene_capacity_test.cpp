@@ -257,6 +257,9 @@ TEST(Profiles, WithASizeLeftOutOrOutOfItsBoundsAreNotSound) {
   EXPECT_FALSE(is_sound_with(&CapacityProfile::bodies, 255));
   EXPECT_FALSE(is_sound_with(&CapacityProfile::candidates, 510));
   EXPECT_FALSE(is_sound_with(&CapacityProfile::flight_ticks, 1000));
+  EXPECT_FALSE(is_sound_with(&CapacityProfile::waiting_commands, 0));
+  EXPECT_FALSE(is_sound_with(&CapacityProfile::waiting_answers, 60));
+  EXPECT_FALSE(is_sound_with(&CapacityProfile::waiting_answers, 16));
   for (const SceneCapacity& capacity : kSceneCapacities) {
     EXPECT_FALSE(is_sound_with(capacity.limit, 0)) << capacity.name;
   }
