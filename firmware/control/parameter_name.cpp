@@ -35,7 +35,7 @@ std::optional<ParameterName> parse_parameter_name(std::string_view text) {
     if (dot == std::string_view::npos || dot == 0) {
       return std::nullopt;
     }
-    name.object = rest.substr(0, dot);
+    name.object = {rest.data(), dot};
     rest.remove_prefix(dot + 1);
   }
   const ParameterText* const found = find_by_name(rest, !name.object.empty());
