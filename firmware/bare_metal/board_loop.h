@@ -20,6 +20,10 @@ inline constexpr std::uint32_t kWatchdogPeriods = 3;
 // The characters of the host that are taken before a tick at most; more wait for the next one.
 inline constexpr int kMostHeardCharacters = 256;
 
+// The loop waits so long with its first tick for a host that asks for ticks, s: a recording that
+// begins with the first one can be replayed.
+inline constexpr double kHostWait_s = 0.25;
+
 // Takes the motors' power and tells which board this is. If the program has stopped before and kept
 // its power since, it tells that stop and does not return.
 void begin(std::string_view board);
@@ -41,10 +45,12 @@ class BoardLoop {
         host_(facts),
         rate_hz_(facts.rate_hz) {}
 
-  // Starts the ticks and the watchdog. Call it once.
+  // Starts the timer, waits for a host for kHostWait_s at most, and starts the watchdog. Call it
+  // once.
   void start() {
     controller_.set_clock(hal::now_ns);
     hal::start_ticks(static_cast<std::uint32_t>(rate_hz_));
+    wait_for_host();
     hal::start_watchdog(static_cast<std::uint32_t>(kWatchdogPeriods * 1e6 / rate_hz_));
   }
 
@@ -67,6 +73,15 @@ class BoardLoop {
   }
 
  private:
+  void wait_for_host() {
+    const auto most = static_cast<std::uint64_t>(kHostWait_s * rate_hz_);
+    while (periods_ < most && !host_.wants_ticks()) {
+      hear();
+      lines_.pump(hal::put_char);
+      periods_ += hal::wait_for_tick();
+    }
+  }
+
   void tell(const Line& line) { lines_.push(line.text()); }
 
   void hear() {

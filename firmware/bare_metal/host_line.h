@@ -42,6 +42,9 @@ class HostLine {
   // Takes a character from the host. Answers that are known at once go to `out`.
   void hear(char character, LineQueue& out);
 
+  // Returns true while the host asks for ticks.
+  [[nodiscard]] bool wants_ticks() const { return every_ != 0; }
+
   // Carries out the host's next command. Returns the request of the tick. Call it before a tick.
   Request before_tick(Controller& controller);
 

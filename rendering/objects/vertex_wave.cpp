@@ -31,7 +31,7 @@ Pair moved(const double* rest, Pair heights, const double* normal) {
 
 // Returns true if a vertex begins at a multiple of a pair's size. Every other one does.
 bool is_aligned(const Vec3& vertex) {
-  return std::bit_cast<std::uintptr_t>(vertex.data()) % alignof(Pair) == 0;
+  return reinterpret_cast<std::uintptr_t>(vertex.data()) % alignof(Pair) == 0;
 }
 
 }  // namespace

@@ -1,7 +1,6 @@
 #include "rendering/surface/deformable_mesh.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <cstdint>
 
@@ -81,7 +80,7 @@ float longest_squared(std::span<const Float3> from, std::span<const Float3> to) 
 // Returns true if vertices begin at a multiple of four floats' size: those of a scene's first mesh
 // do, and of every other one behind a multiple of four.
 bool is_aligned(std::span<const Float3> vertices) {
-  return std::bit_cast<std::uintptr_t>(vertices.data()) % alignof(Floats) == 0;
+  return reinterpret_cast<std::uintptr_t>(vertices.data()) % alignof(Floats) == 0;
 }
 
 }  // namespace

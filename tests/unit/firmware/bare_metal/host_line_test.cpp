@@ -40,7 +40,6 @@ class HostLineTest : public ::testing::Test {
     hal::power_up_fake_board();
     EXPECT_TRUE(controller_->configure(testing::without_sign_check(cartesian_config())));
     EXPECT_TRUE(controller_->load_scene(floor_.objects(), {.tool_radius_m = 0.0}));
-    loop_.start();
   }
 
   template <class Message>
@@ -50,8 +49,13 @@ class HostLineTest : public ::testing::Test {
               [](std::byte byte) { fake_board().received.push_back(static_cast<char>(byte)); });
   }
 
-  // Runs ticks, and takes what the board has sent.
+  // Runs ticks, and takes what the board has sent. The first call starts the board: it hears what
+  // the host has said before.
   void run(int ticks) {
+    if (!is_started_) {
+      loop_.start();
+      is_started_ = true;
+    }
     for (int i = 0; i < ticks; ++i) {
       loop_.turn();
       for (const char character : fake_board().sent) {
@@ -112,6 +116,7 @@ class HostLineTest : public ::testing::Test {
                                 .rate_hz = 1000.0,
                                 .joints = kJointCount}};
 
+  bool is_started_ = false;
   FrameReader reader_;
   std::string text_;
   std::vector<RecordedTick> ticks_;
@@ -129,6 +134,21 @@ TEST_F(HostLineTest, WithoutAHostTheBoardTellsItsLinesAloneAndGoesToForce) {
   EXPECT_EQ(std::ranges::count(text_, '\n'), 4) << text_;
   EXPECT_EQ(text_.find('\0'), std::string::npos);
   EXPECT_TRUE(ticks_.empty() && answers_.empty() && hellos_.empty());
+}
+
+TEST_F(HostLineTest, WithoutAHostTheFirstTickComesAfterAQuarterOfASecond) {
+  run(1);
+  EXPECT_EQ(hal::now_ns(), 251 * hal::kFakePeriod_ns);
+  EXPECT_EQ(record().tick, 0U);
+  EXPECT_EQ(record().missed_ticks, 0U);
+  EXPECT_FALSE(fake_board().has_power);
+}
+
+TEST_F(HostLineTest, AHostThatOnlySaysHelloIsWaitedForAsLong) {
+  say(AskHello{});
+  run(1);
+  EXPECT_EQ(hal::now_ns(), 251 * hal::kFakePeriod_ns);
+  EXPECT_EQ(hellos_.size(), 1U);
 }
 
 TEST_F(HostLineTest, AHelloTellsWhatTheBoardIs) {
@@ -406,6 +426,7 @@ TEST_F(HostLineTest, OnASlowLineEveryPartOfAnImageArrives) {
 }
 
 TEST_F(HostLineTest, CharactersThatCannotBeHeardInATickAreHeardInTheNext) {
+  run(1);
   for (int i = 0; i < 2 * kMostHeardCharacters; ++i) {
     fake_board().received.push_back('x');
   }
