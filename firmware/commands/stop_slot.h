@@ -33,7 +33,7 @@ class StopSlot {
       }
       const std::uint64_t high = tick_high_.load(std::memory_order_acquire);
       const StopTaken taken{.tick = high << 32U | tick_low_.load(std::memory_order_acquire),
-                            .after = mode_.load(std::memory_order_acquire)};
+                            .after = static_cast<Mode>(mode_.load(std::memory_order_acquire))};
       // The parts belong together unless the loop has begun to write those of a later stop.
       if (begun_.load(std::memory_order_relaxed) == answered) {
         return taken;
@@ -58,13 +58,13 @@ class StopSlot {
     begun_.store(seen_, std::memory_order_relaxed);
     tick_low_.store(static_cast<std::uint32_t>(done.tick), std::memory_order_release);
     tick_high_.store(static_cast<std::uint32_t>(done.tick >> 32U), std::memory_order_release);
-    mode_.store(done.after, std::memory_order_release);
+    mode_.store(static_cast<std::uint32_t>(done.after), std::memory_order_release);
     answered_.store(seen_, std::memory_order_release);
     return true;
   }
 
  private:
-  static_assert(std::atomic<Mode>::is_always_lock_free);
+  static_assert(std::atomic<std::uint32_t>::is_always_lock_free);
 
   std::atomic<std::uint32_t> posted_{0};
   // Loop only: the number of the newest stop that a tick has had.
@@ -75,7 +75,8 @@ class StopSlot {
   std::atomic<std::uint32_t> begun_{0};
   std::atomic<std::uint32_t> tick_low_{0};
   std::atomic<std::uint32_t> tick_high_{0};
-  std::atomic<Mode> mode_{Mode::init};
+  // A word: RISC-V has no atomic bytes.
+  std::atomic<std::uint32_t> mode_{static_cast<std::uint32_t>(Mode::init)};
 };
 
 }  // namespace tactus::firmware
