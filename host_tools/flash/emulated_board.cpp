@@ -12,16 +12,18 @@
 #include "host_tools/flash/board_program.h"
 #include "host_tools/flash/emulator_bridge.h"
 #include "host_tools/input_error.h"
+#include "host_tools/install_command.h"
 
 namespace tactus::host {
 namespace {
 
+// The program and its package have one name.
 constexpr const char* kEmulator = "qemu-system-arm";
+
 void check_place(const EmulatedBoard& board) {
   constexpr std::size_t kLongestSocket = 107;
   if (find_tool(kEmulator).empty()) {
-    throw InputError(
-        fmt::format("{} is not installed: sudo apt install qemu-system-arm", kEmulator));
+    throw InputError(fmt::format("{} is not installed: {}", kEmulator, install_command(kEmulator)));
   }
   if (board.line.empty() || board.line.size() > kLongestSocket) {
     throw InputError(fmt::format("--line '{}': a socket's path has 1 to {} characters", board.line,

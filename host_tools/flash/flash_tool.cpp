@@ -10,6 +10,7 @@
 
 #include "host_tools/flash/board_program.h"
 #include "host_tools/input_error.h"
+#include "host_tools/install_command.h"
 #include "host_tools/programs/external_program.h"
 
 namespace tactus::host {
@@ -68,9 +69,8 @@ std::string flash_command(const FlashPlan& plan) {
 bool run_flash_command(const std::string& command) {
   const std::string tool = command.substr(0, command.find(' '));
   if (tool == "openocd" && find_tool(tool).empty()) {
-    throw InputError(
-        "openocd is not installed: sudo apt install openocd; --with takes another "
-        "tool");
+    throw InputError("openocd is not installed: " + install_command("openocd") +
+                     "; --with takes another tool");
   }
   std::fflush(stdout);
   constexpr int kNoSuchTool = 127;
