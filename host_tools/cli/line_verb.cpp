@@ -46,6 +46,8 @@ struct LineOptions {
   std::string place;
   std::string run_dir = std::string(kDefaultRunDir);
   std::string record;
+  // True: a recording may replace a file that is there.
+  bool may_overwrite = false;
   std::string device_image;
   std::string scene_image;
   std::uint32_t every = 0;
@@ -98,9 +100,7 @@ void print_recorded(const LineGateway& gateway, const std::string& record) {
 }
 
 void run_line_verb(const LineOptions& options) {
-  if (!options.record.empty()) {
-    check_recording_name(options.record);
-  }
+  check_recording_place(options.record, options.may_overwrite);
   GatewayOptions gateway_of = gateway_options(options.place);
   gateway_of.run_dir = options.run_dir;
   gateway_of.record = options.record;
@@ -123,14 +123,6 @@ void run_line_verb(const LineOptions& options) {
 }
 
 }  // namespace
-
-void check_recording_name(const std::string& file) {
-  if (!file.ends_with(".mcap") && !file.ends_with(".csv")) {
-    throw InputError(file + ": a recording's name ends in .mcap or .csv");
-  }
-  keep_images_safe(file);
-  (void)output_place(file, OutputKind::file);
-}
 
 void run_gateway(LineGateway& gateway, double seconds, const std::string& record) {
   struct sigaction action{};
@@ -158,7 +150,10 @@ void add_line_verb(CLI::App& app) {
   verb->add_option("--run-dir", options->run_dir, "Folder of the sockets, which is made")
       ->envname("TACTUS_RUN_DIR")
       ->capture_default_str();
-  verb->add_option("--record", options->record, "Record to this file (.mcap or .csv)");
+  verb->add_option("--record", options->record,
+                   "Record to this file (.mcap or .csv); one that is there is kept");
+  verb->add_flag("--overwrite", options->may_overwrite, "Let --record replace a file that is there")
+      ->needs("--record");
   verb->add_option("--every", options->every,
                    "One tick in so many; default: as many as the line can carry");
   verb->add_option("--seconds", options->seconds, "End after so long")

@@ -11,9 +11,6 @@ namespace tactus::host {
 // Adds the verb with its options and examples to the command line. The work is done in serial/.
 void add_line_verb(CLI::App& app);
 
-// Throws InputError unless a recording may be written to the file.
-void check_recording_name(const std::string& file);
-
 // Runs a gateway until SIGINT or SIGTERM, or for so long if `seconds` is above 0, and prints what
 // was recorded. Throws what LineGateway throws.
 void run_gateway(LineGateway& gateway, double seconds, const std::string& record);

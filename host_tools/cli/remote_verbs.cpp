@@ -17,6 +17,7 @@
 #include "host_tools/cli/line_verb.h"
 #include "host_tools/cli/reach_controller.h"
 #include "host_tools/cli/run_folder_option.h"
+#include "host_tools/files/output_place.h"
 #include "host_tools/input_error.h"
 #include "host_tools/remote/remote.h"
 
@@ -36,6 +37,7 @@ struct RemoteOptions {
   std::uint32_t ticks = 1;
   bool wait = false;
   double seconds = 0.0;
+  bool may_overwrite = false;
 };
 using SharedOptions = std::shared_ptr<RemoteOptions>;
 
@@ -185,7 +187,11 @@ void record_line(const RemoteOptions& options) {
   if (options.value == "off") {
     throw InputError("with --serial a recording ends by Ctrl-C or --seconds");
   }
-  check_recording_name(options.file);
+  if (options.file.empty()) {
+    throw InputError("name the recording: tactus record on run.mcap --serial " +
+                     options.run.serial);
+  }
+  check_recording_place(options.file, options.may_overwrite);
   const PrivateFolder folder;
   GatewayOptions gateway_of = gateway_options(options.run.serial);
   gateway_of.run_dir = folder.path();
@@ -205,6 +211,9 @@ void add_record(CLI::App& app) {
       ->required()
       ->check(CLI::IsMember({"on", "off"}));
   verb->add_option("file", options->file, "Name of the recording; needed with on");
+  verb->add_flag("--overwrite", options->may_overwrite,
+                 "With --serial: replace a file that is there; otherwise it is kept")
+      ->needs(verb->get_option("--serial"));
   verb->add_option("--seconds", options->seconds, "With --serial: end after so long")
       ->needs(verb->get_option("--serial"))
       ->check(CLI::NonNegativeNumber);

@@ -75,7 +75,7 @@ void check_files(const SimOptions& options, std::size_t devices) {
   }
   keep_inputs_safe(outputs, inputs);
   for (std::size_t i = 0; i < devices; ++i) {
-    check_recording_name(file_of_tool(files.record, i), options.may_overwrite);
+    check_recording_place(file_of_tool(files.record, i), options.may_overwrite);
   }
 }
 

@@ -165,6 +165,22 @@ std::filesystem::path partial_of(const OutputPlace& place) {
   return fmt::format("{}.{}.partial", place.file.string(), ::getpid());
 }
 
+void check_recording_place(const std::filesystem::path& file, bool may_overwrite) {
+  if (file.empty()) {
+    return;
+  }
+  if (file.extension() != ".mcap" && file.extension() != ".csv") {
+    throw InputError(fmt::format(
+        "{}: the name of a recording ends in .mcap, or in .csv for a table", file.string()));
+  }
+  keep_images_safe(file);
+  (void)output_place(file, OutputKind::file);
+  if (!may_overwrite && std::filesystem::exists(file)) {
+    throw InputError(fmt::format(
+        "{}: this file is there and is kept; name another, or say --overwrite", file.string()));
+  }
+}
+
 void make_folder_of(const std::filesystem::path& file) {
   std::error_code failure;
   if (file.has_parent_path()) {

@@ -42,6 +42,11 @@ void keep_inputs_safe(std::initializer_list<std::filesystem::path> outputs,
 // it, so that a slip of the user does not replace an image by a table.
 void keep_images_safe(const std::filesystem::path& output);
 
+// Throws InputError if a recording may not be written to the file: its name does not end in .mcap
+// or .csv, there is a file and it may not be overwritten, or output_place() refuses it. Programs
+// ask before the run, which may take long. An empty name is no recording.
+void check_recording_place(const std::filesystem::path& file, bool may_overwrite);
+
 // Makes the folder of a file if it is missing. Throws InputError that names the folder.
 void make_folder_of(const std::filesystem::path& file);
 

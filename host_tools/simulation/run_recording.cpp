@@ -28,20 +28,6 @@ std::size_t joints_of_device(const Simulation& simulation, std::size_t device) {
 
 }  // namespace
 
-void check_recording_name(const std::filesystem::path& file, bool may_overwrite) {
-  if (file.empty()) {
-    return;
-  }
-  if (file.extension() != ".mcap" && file.extension() != ".csv") {
-    throw InputError(fmt::format(
-        "{}: the name of a recording ends in .mcap, or in .csv for a table", file.string()));
-  }
-  if (!may_overwrite && std::filesystem::exists(file)) {
-    throw InputError(fmt::format(
-        "{}: this file is there and is kept; name another, or say --overwrite", file.string()));
-  }
-}
-
 RunRecording::RunRecording(const std::filesystem::path& path, const Simulation& simulation,
                            std::span<const std::byte> scene, std::size_t device)
     : path_(path),

@@ -16,11 +16,6 @@
 
 namespace tactus::host {
 
-// Throws InputError if the name of a file is not that of a recording (.mcap or .csv), or if there
-// is a file and it may not be overwritten. Programs ask before the run, which may take long. An
-// empty name is no recording.
-void check_recording_name(const std::filesystem::path& file, bool may_overwrite);
-
 // An open recording. It is written to a temporary file that takes its place at close().
 class RunRecording {
  public:
