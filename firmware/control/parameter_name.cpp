@@ -35,7 +35,8 @@ std::optional<ParameterName> parse_parameter_name(std::string_view text) {
     if (dot == std::string_view::npos || dot == 0) {
       return std::nullopt;
     }
-    name.object = {rest.data(), dot};
+    name.object = rest;
+    name.object.remove_suffix(rest.size() - dot);
     rest.remove_prefix(dot + 1);
   }
   const ParameterText* const found = find_by_name(rest, !name.object.empty());
