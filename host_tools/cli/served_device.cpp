@@ -7,7 +7,6 @@
 #include <span>
 
 #include "firmware/linux/flight/attachments.h"
-#include "firmware/linux/telemetry/udp_json.h"
 #include "hal/linux/system.h"
 #include "host_tools/files/output_place.h"
 #include "host_tools/input_error.h"
@@ -52,8 +51,7 @@ int ServedTelemetry::open_udp(std::uint16_t first_port, double rate_hz) {
   if (first_port == 0) {
     return 0;
   }
-  return writer_->open_udp(static_cast<std::uint16_t>(first_port + device_),
-                           static_cast<std::uint32_t>(rate_hz / firmware::kUdpRate_Hz));
+  return writer_->open_udp(static_cast<std::uint16_t>(first_port + device_), rate_hz);
 }
 
 void ServedTelemetry::publish(firmware::Controller& controller, const hal::Wake& wake) {

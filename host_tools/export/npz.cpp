@@ -93,22 +93,20 @@ void write_array(const std::string& name, const ColumnArray& array, ZipWriter& z
 }
 
 // Reads some columns of the chosen ticks and writes them.
-ExportSummary write_columns(Recording& recording, const ExportChoice& choice,
-                            std::span<const ChosenColumn> columns, std::size_t joints,
-                            const std::function<void(double time_s)>& see, ZipWriter& zip) {
+void write_columns(Recording& recording, const ExportChoice& choice,
+                   std::span<const ChosenColumn> columns, std::size_t joints,
+                   const std::function<void(double time_s)>& see, ZipWriter& zip) {
   std::vector<ColumnArray> arrays(columns.size());
   std::vector<ColumnValue> values;
-  const ExportSummary summary =
-      visit_chosen_ticks(recording, choice, see, [&](const firmware::RecordedTick& tick) {
-        read_columns(tick, joints, values);
-        for (std::size_t i = 0; i < columns.size(); ++i) {
-          append(arrays[i], values[columns[i].index]);
-        }
-      });
+  visit_chosen_ticks(recording, choice, see, [&](const firmware::RecordedTick& tick) {
+    read_columns(tick, joints, values);
+    for (std::size_t i = 0; i < columns.size(); ++i) {
+      append(arrays[i], values[columns[i].index]);
+    }
+  });
   for (std::size_t i = 0; i < columns.size(); ++i) {
     write_array(columns[i].name, arrays[i], zip);
   }
-  return summary;
 }
 
 }  // namespace

@@ -13,7 +13,7 @@
 
 namespace tactus::host {
 
-// What the columns take while they are collected.
+// The memory for columns that are collected.
 struct NpzRoom {
   // The memory of all columns together; one column may take more.
   std::size_t room_bytes = std::size_t{256} << 20U;

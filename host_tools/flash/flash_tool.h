@@ -7,7 +7,7 @@
 
 namespace tactus::host {
 
-// How a program is written.
+// The tool that writes a program, and its settings.
 struct FlashPlan {
   std::string program;
   // OpenOCD's configuration files for the probe and the board.

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cstdlib>
 #include <cstring>
 #include <span>
 #include <utility>
@@ -119,17 +118,6 @@ class Fetch {
 };
 
 }  // namespace
-
-std::filesystem::path image_folder() {
-  // NOLINTBEGIN(concurrency-mt-unsafe)
-  const char* const cache = std::getenv("XDG_CACHE_HOME");
-  const char* const home = std::getenv("HOME");
-  // NOLINTEND(concurrency-mt-unsafe)
-  if (cache != nullptr && *cache == '/') {
-    return std::filesystem::path(cache) / "tactus";
-  }
-  return home != nullptr && *home == '/' ? std::filesystem::path(home) / ".cache" / "tactus" : "";
-}
 
 std::filesystem::path image_file(const std::filesystem::path& folder, BoardImage image,
                                  std::uint64_t checksum) {

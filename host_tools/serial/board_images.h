@@ -18,10 +18,6 @@ namespace tactus::host {
 using ShowProgress =
     std::function<void(std::string_view image, std::size_t bytes, std::size_t total)>;
 
-// Returns the folder for images that were fetched: tactus in $XDG_CACHE_HOME, or in ~/.cache; an
-// empty path if the user has neither.
-std::filesystem::path image_folder();
-
 // Returns the file of an image in such a folder, named by its checksum.
 std::filesystem::path image_file(const std::filesystem::path& folder, firmware::BoardImage image,
                                  std::uint64_t checksum);

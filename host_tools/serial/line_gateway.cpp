@@ -13,6 +13,7 @@
 #include "firmware/linux/commands/telemetry_hooks.h"
 #include "hal/linux/system.h"
 #include "host_tools/files/atomic_file.h"
+#include "host_tools/files/cache_folder.h"
 #include "host_tools/input_error.h"
 #include "host_tools/remote/remote.h"
 
@@ -135,7 +136,7 @@ std::filesystem::path LineGateway::file_of(BoardImage image, const std::string& 
     check_user_image(given, wanted);
     return given;
   }
-  const std::filesystem::path cache = image_folder();
+  const std::filesystem::path cache = user_cache_folder();
   const std::filesystem::path folder = cache.empty() ? options_.run_dir : cache;
   std::filesystem::path file = image_file(folder, image, wanted.checksum);
   if (!is_image_file(file, wanted)) {

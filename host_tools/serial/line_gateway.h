@@ -27,7 +27,7 @@
 
 namespace tactus::host {
 
-// What is served, and from where.
+// The settings of a gateway.
 struct GatewayOptions {
   SerialPlace place;
   // The folder of the sockets, which is made if it is not there.
@@ -41,7 +41,7 @@ struct GatewayOptions {
   bool wants_ticks = true;
   // One tick of so many; 0: every one, or as many as the line can carry.
   std::uint32_t every = 0;
-  // How long the first answer of a board may take, s: longer to wait for its start.
+  // The time that the first answer of a board may take, s: longer to wait for its start.
   double patience_s = 3.0;
   // True if names of objects are resolved, or if recordings are to be replayed.
   bool wants_images = true;

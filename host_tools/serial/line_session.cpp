@@ -41,7 +41,6 @@ void LineSession::finish() {
 
 Reply send_stop_over_line(const SerialPlace& place) {
   constexpr hal::TimeNs kStopPatience_ns = hal::kNsPerSecond;
-  constexpr hal::TimeNs kBetweenStops_ns = hal::kNsPerSecond / 50;
   BoardLink link(place);
   std::optional<firmware::Answer> taken;
   const auto hear = [&](std::span<const std::byte> message) {
@@ -54,11 +53,11 @@ Reply send_stop_over_line(const SerialPlace& place) {
   const hal::TimeNs begin_ns = hal::monotonic_now_ns();
   hal::TimeNs sent_ns = 0;
   while (!taken && hal::monotonic_now_ns() - begin_ns < kStopPatience_ns) {
-    if (hal::monotonic_now_ns() - sent_ns >= kBetweenStops_ns) {
+    if (hal::monotonic_now_ns() - sent_ns >= kStopAgain_ns) {
       sent_ns = hal::monotonic_now_ns();
       link.send(firmware::LineStop{.ticket = kStopTicket});
     }
-    link.listen(sent_ns + kBetweenStops_ns, hear);
+    link.listen(sent_ns + kStopAgain_ns, hear);
   }
   if (!taken) {
     throw UnreachableError(link.name() + ": no reply to the stop; cut the power of the motors");

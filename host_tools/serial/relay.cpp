@@ -15,8 +15,6 @@ using firmware::Command;
 using firmware::CommandKind;
 using firmware::Outcome;
 
-// A stop without an answer is sent again after so long.
-constexpr hal::TimeNs kStopAgain_ns = hal::kNsPerSecond / 50;
 // The command socket has refused a command that had no answer for a second.
 constexpr hal::TimeNs kGiveUp_ns = hal::kNsPerSecond + hal::kNsPerSecond / 2;
 

@@ -11,6 +11,7 @@
 #include "firmware/line/message.h"
 #include "firmware/telemetry/telemetry_event.h"
 #include "hal/clock.h"
+#include "hal/linux/system.h"
 
 namespace tactus::host {
 
@@ -58,5 +59,7 @@ class Relay {
 
 // The ticket of a stop. The command socket gives it to one command in millions.
 inline constexpr firmware::Ticket kStopTicket = firmware::kLargestTicket;
+// A stop without an answer is sent again after so long.
+inline constexpr hal::TimeNs kStopAgain_ns = hal::kNsPerSecond / 50;
 
 }  // namespace tactus::host

@@ -6,6 +6,7 @@
 #include <cstring>
 
 #include "firmware/linux/flight/attachments.h"
+#include "firmware/linux/telemetry/run_recorder.h"
 
 namespace tactus::firmware {
 namespace {
@@ -23,9 +24,8 @@ TelemetryWriter& writer_of(void* run) {
 
 std::string_view start_recording(void* run, std::string_view name) {
   const bool is_plain = !name.starts_with('.') && name.find('/') == std::string_view::npos;
-  const bool is_known = name.ends_with(".mcap") || name.ends_with(".csv");
   std::array<char, kMaxRecordingName> path{};
-  if (!is_plain || !is_known || name.size() >= path.size()) {
+  if (!is_plain || !is_recording_name(name) || name.size() >= path.size()) {
     return "give a plain name that ends in .mcap or .csv; it is put into the controller's working "
            "folder";
   }

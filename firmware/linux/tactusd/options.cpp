@@ -6,6 +6,7 @@
 #include "firmware/limits.h"
 #include "firmware/linux/tactusd/image_kind.h"
 #include "firmware/linux/tactusd/messages.h"
+#include "firmware/linux/telemetry/run_recorder.h"
 
 namespace tactus::firmware {
 
@@ -30,8 +31,7 @@ bool read_value(std::string_view option, const char* value, Options& options) {
   double number = 0.0;
   if (option == "--record") {
     options.record = value;
-    const std::string_view name = value == nullptr ? "" : value;
-    return name.ends_with(".mcap") || name.ends_with(".csv") ||
+    return is_recording_name(value == nullptr ? "" : value) ||
            complain("give a file that ends in .mcap or .csv after", option);
   }
   if (option == "--flight-dir") {

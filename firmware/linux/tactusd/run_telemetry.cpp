@@ -10,7 +10,6 @@
 #include "firmware/configuration/config_state.h"
 #include "firmware/linux/flight/attachments.h"
 #include "firmware/linux/tactusd/run_folder.h"
-#include "firmware/linux/telemetry/udp_json.h"
 #include "hal/linux/system.h"
 #include "rendering/scene/image_format.h"
 
@@ -52,8 +51,7 @@ bool RunTelemetry::open_udp(const Options& options, double rate_hz) {
     return true;
   }
   const auto port = static_cast<std::uint16_t>(options.udp_port + device_);
-  return succeeds("--udp-json",
-                  writer_.open_udp(port, static_cast<std::uint32_t>(rate_hz / kUdpRate_Hz)));
+  return succeeds("--udp-json", writer_.open_udp(port, rate_hz));
 }
 
 bool RunTelemetry::open_recording(const Options& options) {

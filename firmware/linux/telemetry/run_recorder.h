@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <string_view>
 
 #include "firmware/linux/telemetry/csv_writer.h"
 #include "firmware/linux/telemetry/mcap_writer.h"
@@ -20,6 +21,11 @@ struct RunDescription {
   // The time since 1970, ns, at time 0 of the ticks' clock.
   std::int64_t clock_offset_ns = 0;
 };
+
+// Returns true if the name of a file says what kind of recording it is.
+constexpr bool is_recording_name(std::string_view name) {
+  return name.ends_with(".mcap") || name.ends_with(".csv");
+}
 
 // The recorder of one run: at most one file at a time.
 class RunRecorder {

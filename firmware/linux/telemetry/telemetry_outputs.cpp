@@ -1,5 +1,6 @@
 #include "firmware/linux/telemetry/telemetry_outputs.h"
 
+#include <algorithm>
 #include <cerrno>
 
 namespace tactus::firmware {
@@ -15,8 +16,8 @@ void TelemetryOutputs::describe(const RunDescription& run) {
   recorder_.describe(run);
 }
 
-int TelemetryOutputs::open_udp(std::uint16_t port, std::uint32_t every) {
-  udp_every_ = every == 0 ? 1 : every;
+int TelemetryOutputs::open_udp(std::uint16_t port, double rate_hz) {
+  udp_every_ = std::max(1U, static_cast<std::uint32_t>(rate_hz / kUdpRate_Hz));
   return udp_.open(port);
 }
 

@@ -22,8 +22,9 @@ class TelemetryOutputs {
   void describe(const RunDescription& run);
   // Opens the live socket (live_socket.h). Returns 0 or errno.
   int open_live_socket(const char* path) { return live_.open(path); }
-  // Sends one of `every` ticks as JSON to a port of this machine. Returns 0 or errno.
-  int open_udp(std::uint16_t port, std::uint32_t every);
+  // Sends ticks of a loop of that rate as JSON to a port of this machine, kUdpRate_Hz of them a
+  // second. Returns 0 or errno.
+  int open_udp(std::uint16_t port, double rate_hz);
 
   // Carries out an order. Returns 0 or errno; for the end of a recording, the errno that had ended
   // it early.

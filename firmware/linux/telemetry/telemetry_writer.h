@@ -32,8 +32,8 @@ class TelemetryWriter {
   void describe(const RunDescription& run) { outputs_.describe(run); }
   // Opens the live socket (live_socket.h). Returns 0 or errno.
   int open_live_socket(const char* path) { return outputs_.open_live_socket(path); }
-  // Sends one of `every` ticks as JSON to a port of this machine. Returns 0 or errno.
-  int open_udp(std::uint16_t port, std::uint32_t every) { return outputs_.open_udp(port, every); }
+  // Sends ticks of a loop of that rate as JSON to a port of this machine. Returns 0 or errno.
+  int open_udp(std::uint16_t port, double rate_hz) { return outputs_.open_udp(port, rate_hz); }
   // Starts the thread. Returns 0 or errno.
   int start();
 

@@ -13,6 +13,7 @@
 
 #include "firmware/linux/flight/attachments.h"
 #include "host_tools/files/atomic_file.h"
+#include "host_tools/files/cache_folder.h"
 #include "host_tools/input_error.h"
 #include "host_tools/recording/live_reader.h"
 #include "host_tools/recording/recording.h"
@@ -192,7 +193,7 @@ TEST_F(LineGatewayTest, ImagesComeOverANoisyLineOnceAndFromTheCacheThen) {
   }
   EXPECT_EQ(board_->image_asks(), asks);
   // A bit that has changed in the cache is found.
-  for (const auto& entry : std::filesystem::directory_iterator(image_folder())) {
+  for (const auto& entry : std::filesystem::directory_iterator(user_cache_folder())) {
     std::fstream stream(entry.path(), std::ios::in | std::ios::out | std::ios::binary);
     stream.seekp(200);
     stream.put('\x55');
