@@ -23,6 +23,7 @@ all_stages=(
   "same-bits         same_bits.sh"
   "replay-elsewhere  replay_elsewhere.sh"
   "heap-check        heap_check_catches_offences.sh"
+  "stack-check       stack_bound_is_right.sh"
   "include-check     include_check_catches_offences.sh"
   "tidy-check        tidy_catches_offences.sh"
   "guides            guides.sh"

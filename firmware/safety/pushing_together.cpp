@@ -14,11 +14,9 @@ namespace {
 
 using rendering::Bounds;
 
-// The most parts in one set. Beyond it, all parts that may push together with the set count as
-// members.
-constexpr std::size_t kMostTogether = 16;
-// The most parts that a search looks at while a scene is loaded. Beyond it the same holds. A look
-// takes some 60 ns; preparing a scene of 1,024 objects takes 2 ms more.
+// The most parts that a search looks at while a scene is loaded. Beyond it, as beyond kMostTogether
+// members of a set, all parts that may push together with the set count as members. A look takes
+// some 60 ns; preparing a scene of 1,024 objects takes 2 ms more.
 constexpr std::size_t kMostLooks = std::size_t{1} << 16U;
 // The same for a change of one object between two ticks of an active controller.
 constexpr std::size_t kMostLooksOfSet = std::size_t{1} << 13U;

@@ -2,6 +2,7 @@
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "firmware/safety/field_pieces.h"
@@ -59,26 +60,41 @@ double sum_of_fields(std::span<const ScenePart> parts) {
 }
 
 // Searches the choices of one piece for each field of a box, depth first. A branch ends if it
-// cannot exceed the largest sum found so far (branch and bound).
+// cannot exceed the largest sum found so far (branch and bound). It does not recurse: a stack of
+// choices takes a twentieth of the memory, and its size is known.
 class PieceSum {
  public:
   PieceSum(std::span<const ScenePart> parts, const Fixed& fixed, std::size_t& looks_left)
       : parts_(parts),
-        fixed_(fixed),
         looks_left_(looks_left),
         fields_N_per_m_(sum_of_fields(parts)),
         most_possible_(fixed.most() + fields_N_per_m_) {}
 
-  // Returns the largest stiffness somewhere in the box, N/m.
-  double most_in(const Bounds& box, double enough_N_per_m) {
+  // Returns the largest stiffness somewhere in the box, N/m. `fixed` is that of the constructor.
+  double most_in(const Bounds& box, const Fixed& fixed, double enough_N_per_m) {
     if (fields_N_per_m_ == 0.0 || most_possible_ <= enough_N_per_m) {
       return most_possible_;
     }
-    choose(0, box, fixed_, fields_N_per_m_);
+    enter(0, {.box = box, .sum = fixed, .left_N_per_m = fields_N_per_m_});
+    while (depth_ > 0 && !is_done()) {
+      try_next_piece();
+    }
     return looks_left_ > 0 ? std::max(largest_, 0.0) : most_possible_;
   }
 
  private:
+  // A choice of a piece for one field. All fields before it have their pieces.
+  struct Choice {
+    std::size_t part = 0;
+    std::size_t next_piece = 0;
+    // The fixed parts and the pieces chosen so far push here.
+    Bounds box;
+    // Their stiffness.
+    Fixed sum;
+    // The stiffness of this field and those after it, N/m.
+    double left_N_per_m = 0.0;
+  };
+
   // Pays for a part of the search.
   void take(std::size_t looks) { looks_left_ -= std::min(looks_left_, looks); }
 
@@ -94,41 +110,59 @@ class PieceSum {
         parts_, [&](const ScenePart& part) { return has_point_in(box, part.region); });
   }
 
-  // Continues with parts from `next` on. `left_N_per_m` is the stiffness of the fields among them.
-  void choose(std::size_t next, const Bounds& box, const Fixed& sum, double left_N_per_m) {
+  // Begins a choice for the first field from part `next` on. Notes the sum if there is none.
+  void enter(std::size_t next, const Choice& choice) {
     while (next < parts_.size() && parts_[next].field_box == nullptr) {
       ++next;
     }
-    if (is_done() || sum.most() + left_N_per_m <= largest_) {
+    if (is_done() || choice.sum.most() + choice.left_N_per_m <= largest_) {
       return;
     }
     if (next == parts_.size()) {
-      largest_ = sum.most();
+      largest_ = choice.sum.most();
       return;
     }
     take(kLooksOfAField);
-    const ScenePart& part = parts_[next];
-    const double stiffness = part.felt.stiffness_N_per_m;
-    const FieldPieces all = pieces_of_box(*part.field_box, part.contact_m, kSamePlace_m);
-    for (std::size_t i = 0; i < all.count && !is_done(); ++i) {
-      take(1);
-      const FieldPiece& piece = all.pieces[i];
-      const Bounds common = common_box(box, piece.box);
-      if (has_place(common)) {
-        choose(next + 1, common,
-               {.directed = sum.directed + stiffness * piece.directions_W, .alike = sum.alike},
-               left_N_per_m - stiffness);
-      }
+    choices_[depth_] = choice;
+    choices_[depth_++].part = next;
+  }
+
+  // Chooses the next piece of the deepest field, or gives the field up if it has no other.
+  void try_next_piece() {
+    Choice& choice = choices_[depth_ - 1];
+    const ScenePart& part = parts_[choice.part];
+    if (pieces_of_ != choice.part) {
+      pieces_of_ = choice.part;
+      pieces_ = pieces_of_box(*part.field_box, part.contact_m, kSamePlace_m);
+    }
+    if (choice.next_piece == pieces_.count) {
+      --depth_;
+      return;
+    }
+    take(1);
+    const FieldPiece& piece = pieces_.pieces[choice.next_piece++];
+    const Bounds common = common_box(choice.box, piece.box);
+    if (has_place(common)) {
+      const double stiffness = part.felt.stiffness_N_per_m;
+      enter(choice.part + 1,
+            {.box = common,
+             .sum = {.directed = choice.sum.directed + stiffness * piece.directions_W,
+                     .alike = choice.sum.alike},
+             .left_N_per_m = choice.left_N_per_m - stiffness});
     }
   }
 
   std::span<const ScenePart> parts_;
-  const Fixed& fixed_;
   std::size_t& looks_left_;
   double fields_N_per_m_;
   // The sum if all fields pushed in the worst direction, N/m.
   double most_possible_;
   double largest_ = -1.0;  // the largest of the choices so far
+  std::array<Choice, kMostTogether> choices_;
+  std::size_t depth_ = 0;
+  // The pieces of the field of part `pieces_of_`; of none at the beginning.
+  FieldPieces pieces_;
+  std::size_t pieces_of_ = kMostTogether;
 };
 
 }  // namespace
@@ -155,7 +189,7 @@ double stiffness_together(const Bounds& box, std::span<const ScenePart> parts,
       add(box, part, fixed);
     }
   }
-  return PieceSum(parts, fixed, looks_left).most_in(box, enough_N_per_m);
+  return PieceSum(parts, fixed, looks_left).most_in(box, fixed, enough_N_per_m);
 }
 
 }  // namespace tactus::firmware

@@ -17,13 +17,16 @@
 
 namespace tactus::firmware {
 
+// The most parts in one set.
+inline constexpr std::size_t kMostTogether = 16;
+
 // Returns the largest stiffness of the part in the box, N/m.
 double stiffness_in(const rendering::Bounds& box, const ScenePart& part);
 
-// Returns the largest stiffness that the parts have together in any direction somewhere in the box,
-// N/m. Fields of boxes count as equal in all directions if the sum is then at most
-// `enough_N_per_m`, or if the search of their pieces has used up `looks_left`. The search reduces
-// `looks_left`.
+// Returns the largest stiffness that the parts, at most kMostTogether, have together in any
+// direction somewhere in the box, N/m. Fields of boxes count as equal in all directions if the sum
+// is then at most `enough_N_per_m`, or if the search of their pieces has used up `looks_left`. The
+// search reduces `looks_left`.
 double stiffness_together(const rendering::Bounds& box, std::span<const ScenePart> parts,
                           double enough_N_per_m, std::size_t& looks_left);
 

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # The program of the board mps2_an500 runs in QEMU with the hashes of this machine. Its size, its times and its stack are those of the
-# figures that are kept, within 2 %. Each planted fault takes the motors' power first, and then is told with its code. A host at the
+# figures that are kept, within 2 %, and what its stacks can need by its call graph has room in them. Each planted fault takes the motors' power first, and then is told with its code. A host at the
 # other end of the UART gets ticks, answers and an image; its stop and its silence take the power.
 # TACTUS_RENEW_GOLDEN=1 writes the figures anew. Ends with 1 if the program does anything else, and with 2 if it cannot be built or run.
 set -euo pipefail
@@ -62,6 +62,20 @@ verdict "$ticks ticks have the hashes of this machine" "$result"
 bytes() { arm-none-eabi-size -A "$program" | awk -v names=" $* " 'index(names, " " $1 " ") { sum += $2 } END { print sum + 0 }'; }
 # told WORD: the number behind a word of the last line "load".
 told() { grep '^load ' "$work/board" | tail -n 1 | awk -v word="$1" '{ for (i = 1; i < NF; ++i) if ($i == word) print $(i + 1) }'; }
+# What the stacks can need: the program's by its call graph, the handlers' by those of all handlers at once. An exception puts up to 108
+# bytes on the interrupted stack.
+exception_frame=108
+handlers=(tick_handler receive_handler send_handler fault_found)
+toolchains/stack_bound.py "$program" --calls firmware/mps2_an500/stack_calls.txt --entry start_program "${handlers[@]/#/--entry=}" >"$work/stacks" ||
+  echo "the stacks have no bound that is known"
+# bound NAME...: the bytes that these functions can need together, each with an exception on top.
+bound() {
+  awk -v names=" $* " -v frame="$exception_frame" '
+    /^stack_bound_bytes / && index(names, " " $2 " ") { sum += $3 + frame }
+    END { print sum }' "$work/stacks"
+}
+# address NAME: the address of a symbol of the program.
+address() { echo $((16#$(arm-none-eabi-nm "$program" | awk -v name="$1" '$3 == name { print $1 }'))); }
 current_figures() {
   echo "figure,value"
   echo "# GCC $(arm-none-eabi-g++ -dumpfullversion), $(qemu-system-arm --version | sed -n '1s/.*version \([^ ]*\).*/QEMU \1/p'), $ticks ticks; $(date -u +%F)"
@@ -72,6 +86,8 @@ current_figures() {
   echo "p999_tick_ns,$(told p99.9_ns)"
   echo "missed_ticks,$(told missed)"
   echo "stack_bytes,$(told stack_bytes)"
+  echo "stack_bound_bytes,$(bound start_program)"
+  echo "handler_stack_bound_bytes,$(bound "${handlers[@]}")"
 }
 current_figures >"$work/figures"
 if [[ -n "${TACTUS_RENEW_GOLDEN:-}" ]]; then cp "$work/figures" "$figures"; fi
@@ -89,6 +105,18 @@ awk -F, -v file="$figures" '
   }
   END { exit bad }' "$figures" "$work/figures" || result=1
 verdict "the figures are within 2 % of $figures" "$result"
+
+# room NAME USED BEGIN END: a stack has room for a bound.
+room() {
+  local bytes=$(($(address "$4") - $(address "$3"))) result=0
+  if [[ -z "$2" || "$2" -gt "$bytes" ]]; then result=1; fi
+  verdict "the $1 stack of $bytes bytes has room for ${2:-unknown}" "$result"
+}
+room "program's" "$(bound start_program)" stack_begin stack_end
+room "handlers'" "$(bound "${handlers[@]}")" stack_end handler_stack_end
+result=0
+if [[ "$(told stack_bytes)" -gt "$(bound start_program)" ]]; then result=1; fi
+verdict "the run used $(told stack_bytes) bytes of the stack, no more than the bound" "$result"
 
 # 400,000 instructions of 2 ns each.
 budget_ns=800000
