@@ -53,6 +53,13 @@ void JoinedManifolds::add(const Manifold& manifold) {
       return;
     }
   }
+  append(manifold);
+}
+
+void JoinedManifolds::append(const Manifold& manifold) {
+  if (manifold.count == 0) {
+    return;
+  }
   if (count_ == kMostNormals) {
     left_out_ = true;
     return;

@@ -20,8 +20,11 @@ class JoinedManifolds {
     count_ = 0;
     left_out_ = false;
   }
-  // Adds a manifold. Points that are there already are not added again.
+  // Adds a manifold, joined with one of the same normal. Points that are there already are not
+  // added again.
   void add(const Manifold& manifold);
+  // Adds a manifold as it is; one without points is left out.
+  void append(const Manifold& manifold);
 
   // Returns the manifolds, in the order in which their normals were found. Each has the normal of
   // the part that is deepest, and of all its points those that hold a body best.

@@ -68,4 +68,10 @@ class PlacedHull {
   double reach_m_ = 0.0;
 };
 
+// Returns true if the spheres about two hulls are farther apart than the margin.
+[[nodiscard]] inline bool are_apart(const PlacedHull& a, const PlacedHull& b, double margin_m) {
+  const double reach_m = a.reach_m() + b.reach_m() + margin_m;
+  return (a.middle_W() - b.middle_W()).squaredNorm() > reach_m * reach_m;
+}
+
 }  // namespace tactus::rendering

@@ -4,6 +4,7 @@
 
 #include "rendering/bodies/body_sleep.h"
 #include "rendering/bodies/body_world.h"
+#include "rendering/bodies/contact_list.h"
 #include "rendering/state_archive.h"
 #include "rendering/world/world_bodies.h"
 
@@ -59,25 +60,29 @@ void BodySleep::transfer(StateArchive& archive, std::uint16_t bodies, std::uint1
   }
 }
 
-void BodyWorld::transfer(StateArchive& archive) {
-  archive.same(body_count_);
-  archive.same(obstacle_count_);
-  for (RigidBody& body : std::span(bodies_).first(body_count_)) {
-    transfer_motion(archive, body);
-  }
-  archive.up_to(contact_count_, kMaxBodyContacts);
-  const auto solids = static_cast<std::uint16_t>(body_count_ + obstacle_count_);
-  const bool any_resists_turning =
-      std::ranges::any_of(std::span(starts_).first(body_count_),
-                          [](const BodyStart& body) { return body.surface.resists_turning(); });
-  for (std::size_t i = 0; i < contact_count_ && archive.good(); ++i) {
+void ContactList::transfer(StateArchive& archive, std::uint16_t solids, bool any_resists_turning) {
+  archive.up_to(count_, kMaxBodyContacts);
+  for (std::size_t i = 0; i < count_ && archive.good(); ++i) {
     transfer_contact(archive, contacts_[i], solids, any_resists_turning);
   }
-  grips_.transfer(archive, static_cast<std::uint32_t>(body_count_));
-  sleep_.transfer(archive, static_cast<std::uint16_t>(body_count_), solids);
-  for (std::size_t i = 0; archive.is_reading() && i < body_count_; ++i) {
+}
+
+void BodyWorld::transfer(StateArchive& archive) {
+  const std::uint16_t bodies = solids_.body_count();
+  archive.same(bodies);
+  archive.same(solids_.obstacles().size());
+  for (std::size_t i = 0; i < bodies; ++i) {
+    transfer_motion(archive, solids_.body(i));
+  }
+  contacts_.transfer(archive, solids_.count(),
+                     std::ranges::any_of(solids_.starts(), [](const BodyStart& body) {
+                       return body.surface.resists_turning();
+                     }));
+  grips_.transfer(archive, bodies);
+  sleep_.transfer(archive, bodies, solids_.count());
+  for (std::size_t i = 0; archive.is_reading() && i < bodies; ++i) {
     if (sleep_.is_asleep(i)) {
-      place_body(i);
+      hulls_.place(solids_, i);
     }
   }
 }
