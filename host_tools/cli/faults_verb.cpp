@@ -17,10 +17,12 @@ constexpr const char* kFaultsExamples =
     "Examples:\n"
     "  tactus faults\n"
     "  tactus faults | grep -A1 overspeed\n"
+    "  tactus faults --json | jq '.[] | select(.name == \"overspeed\")'\n"
     "  tactus faults --markdown --into firmware/README.md";
 
 struct FaultsOptions {
   bool markdown = false;
+  bool json = false;
   std::string into;
 };
 
@@ -30,7 +32,9 @@ void run(const FaultsOptions& options) {
     write_file_atomically(options.into, std::as_bytes(std::span(text)));
     return;
   }
-  fmt::print("{}", options.markdown ? fault_table_markdown() : fault_table_text());
+  fmt::print("{}", options.json       ? fault_table_json()
+                   : options.markdown ? fault_table_markdown()
+                                      : fault_table_text());
 }
 
 }  // namespace
@@ -41,6 +45,7 @@ void add_faults_verb(CLI::App& app) {
   const auto options = std::make_shared<FaultsOptions>();
   CLI::Option* markdown = verb->add_flag("--markdown", options->markdown, "As a Markdown table");
   verb->add_option("--into", options->into, "Replace the table in this file")->needs(markdown);
+  verb->add_flag("--json", options->json, "As a JSON array")->excludes(markdown);
   verb->footer(kFaultsExamples);
   verb->callback([options] { run(*options); });
 }

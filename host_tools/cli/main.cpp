@@ -38,6 +38,7 @@
 #include "host_tools/cli/sim_verb.h"
 #include "host_tools/cli/touch_verb.h"
 #include "host_tools/input_error.h"
+#include "host_tools/nearest_name.h"
 #include "host_tools/remote/remote.h"
 
 namespace {
@@ -84,25 +85,62 @@ int report(const CLI::App& app, std::string_view message, ExitCode code) {
   return code;
 }
 
+// Returns "did you mean 'bake'? ", or nothing if no name is near.
+std::string advice(const tactus::host::NearestName& nearest) {
+  const auto meant = nearest.found();
+  return meant ? fmt::format("did you mean '{}'? ", *meant) : "";
+}
+
+// Returns advice for an option that the verb does not have, from CLI11's text, which ends with the
+// words that were not expected.
+std::string option_advice(const CLI::App& verb, std::string_view text) {
+  const std::size_t begin = text.find("--");
+  if (begin == std::string_view::npos) {
+    return "";
+  }
+  const std::string written(text.substr(begin, text.find_first_of(" =", begin) - begin));
+  std::vector<std::string> names;
+  for (const CLI::Option* option : verb.get_options()) {
+    for (const std::string& name : option->get_lnames()) {
+      names.push_back("--" + name);
+    }
+  }
+  tactus::host::NearestName nearest(written);
+  for (const std::string& name : names) {
+    nearest.consider(name);
+  }
+  return advice(nearest);
+}
+
 // Handles the ways in which CLI11 ends parsing. Help and version are no errors, nor is a verb that
 // ends with an exit code of its own by CLI::RuntimeError. Everything else is a wrong command line.
 int report_usage(const CLI::App& app, const CLI::ParseError& error) {
   if (error.get_exit_code() == 0 || error.get_name() == "RuntimeError") {
     return app.exit(error);
   }
-  return report(app, fmt::format("{}; see {} --help", error.what(), name_of_run(app)), kBadInput);
+  const auto verbs = app.get_subcommands();
+  const CLI::App& verb = verbs.empty() ? app : *verbs.front();
+  const bool is_unknown = error.get_exit_code() == static_cast<int>(CLI::ExitCodes::ExtrasError);
+  const std::string meant = is_unknown ? option_advice(verb, error.what()) : "";
+  return report(app, fmt::format("{}; {}see {} --help", error.what(), meant, name_of_run(app)),
+                kBadInput);
 }
 
 // Reports a missing or unknown verb; CLI11 would only say that a subcommand is required.
 void require_verb(const CLI::App& app, std::span<char*> arguments) {
   const std::string_view first = arguments.size() > 1 ? arguments[1] : "";
-  const auto verbs = app.get_subcommands([](const CLI::App*) { return true; });
-  if (!first.starts_with('-') && std::ranges::find(verbs, first, [](const CLI::App* verb) {
-                                   return verb->get_name();
-                                 }) == verbs.end()) {
+  if (first.empty()) {
+    throw tactus::host::InputError("say what to do; tactus --help lists the verbs");
+  }
+  tactus::host::NearestName nearest(first);
+  bool is_known = first.starts_with('-');
+  for (const CLI::App* verb : app.get_subcommands([](const CLI::App*) { return true; })) {
+    nearest.consider(verb->get_name());
+    is_known = is_known || verb->get_name() == first;
+  }
+  if (!is_known) {
     throw tactus::host::InputError(
-        first.empty() ? "say what to do; tactus --help lists the verbs"
-                      : fmt::format("there is no verb '{}'; tactus --help lists them", first));
+        fmt::format("there is no verb '{}'; {}tactus --help lists them", first, advice(nearest)));
   }
 }
 

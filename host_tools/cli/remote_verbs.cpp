@@ -9,10 +9,12 @@
 #include <cstdio>
 #include <filesystem>
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <string_view>
 #include <thread>
 #include <utility>
+#include <vector>
 
 #include "host_tools/cli/line_verb.h"
 #include "host_tools/cli/reach_controller.h"
@@ -20,6 +22,7 @@
 #include "host_tools/files/output_place.h"
 #include "host_tools/input_error.h"
 #include "host_tools/remote/remote.h"
+#include "host_tools/remote/reply_fields.h"
 
 namespace tactus::host {
 namespace {
@@ -38,6 +41,7 @@ struct RemoteOptions {
   bool wait = false;
   double seconds = 0.0;
   bool may_overwrite = false;
+  bool json = false;
 };
 using SharedOptions = std::shared_ptr<RemoteOptions>;
 
@@ -53,43 +57,71 @@ std::pair<CLI::App*, SharedOptions> add_verb(CLI::App& app, const VerbText& text
   CLI::App* const verb = app.add_subcommand(text.name, text.description);
   auto options = std::make_shared<RemoteOptions>();
   add_run_folder_option(*verb, options->run);
+  verb->add_flag("--json", options->json, "Print the reply as one JSON object");
   verb->footer(fmt::format("{}\n{}", text.examples, kExitCodes));
   return {verb, options};
 }
 
 // Prints a reply. Throws Refused if the controller refused.
-void tell(const Reply& reply) {
-  for (const std::string& line : reply.lines) {
-    fmt::print("{}\n", line);
+void tell(const Reply& reply, bool as_json) {
+  if (as_json) {
+    fmt::print("{}\n", json_of(reply).dump());
+  } else {
+    for (const std::string& line : reply.lines) {
+      fmt::print("{}\n", line);
+    }
+    fmt::print(reply.is_ok ? stdout : stderr, "{}\n", reply.text);
   }
-  fmt::print(reply.is_ok ? stdout : stderr, "{}\n", reply.text);
   if (!reply.is_ok) {
     throw Refused{};
   }
 }
 
-// Sends one line and prints the reply.
-void tell(const RemoteOptions& options, const std::string& line) {
+// Prints the parameters of a reply as a table.
+void tell_parameters(const Reply& reply, bool as_json) {
+  if (as_json || !reply.is_ok) {
+    tell(reply, as_json);
+    return;
+  }
+  fmt::print("{}", parameter_table(reply.lines.empty() ? std::vector{reply.text} : reply.lines));
+}
+
+// Sends one line and returns the reply.
+Reply ask(const RemoteOptions& options, const std::string& line) {
   // The reply to `list` takes a tick for every parameter of every object.
   constexpr std::chrono::minutes kLongList(1);
   const bool is_of_object = line == "list" || line.find(" object.") != std::string::npos;
+  Reply reply;
   with_controller(options.run, {.images = is_of_object},
                   [&](const std::filesystem::path& folder, const LineSession* /*line*/) {
                     Remote remote(folder);
-                    tell(remote.send(line, line == "list" ? std::chrono::milliseconds(kLongList)
-                                                          : std::chrono::milliseconds(5000)));
+                    reply = remote.send(line, line == "list" ? std::chrono::milliseconds(kLongList)
+                                                             : std::chrono::milliseconds(5000));
                   });
+  return reply;
+}
+
+// Sends one line and prints the reply.
+void tell(const RemoteOptions& options, const std::string& line) {
+  tell(ask(options, line), options.json);
 }
 
 // Starts homing, and waits until it is over if the user asks for that.
-void home(const std::filesystem::path& folder, bool wait) {
+void home(const std::filesystem::path& folder, const RemoteOptions& options) {
   Remote remote(folder);
-  tell(remote.send("home"));
-  while (wait) {
+  const Reply started = remote.send("home");
+  if (!options.wait || !started.is_ok || !options.json) {
+    tell(started, options.json);
+  }
+  while (options.wait) {
     const Reply status = remote.send("status");
     const std::string mode = field_of(status.text, "mode").value_or("");
     if (mode != "homing") {
-      fmt::print(mode == "ready" ? stdout : stderr, "{}\n", status.text);
+      if (options.json) {
+        tell(status, true);
+      } else {
+        fmt::print(mode == "ready" ? stdout : stderr, "{}\n", status.text);
+      }
       if (mode != "ready") {
         throw Refused{};
       }
@@ -100,9 +132,11 @@ void home(const std::filesystem::path& folder, bool wait) {
 }
 
 // Sends the emergency stop and prints the reply. On a line it goes before anything else.
-void stop(const RunFolderOption& run) {
+void stop(const RemoteOptions& options) {
+  const RunFolderOption& run = options.run;
   tell(run.serial.empty() ? send_stop(run.folder())
-                          : send_stop_over_line(parse_serial_place(run.serial)));
+                          : send_stop_over_line(parse_serial_place(run.serial)),
+       options.json);
 }
 
 void add_requests(CLI::App& app) {
@@ -122,13 +156,13 @@ void add_requests(CLI::App& app) {
        "emergency stop that cuts the "
        "power.\n\nExample:\n  tactus estop"},
       {"status", "Say the mode, the faults and the scene of the running controller",
-       "Example:\n  tactus status"},
+       "Examples:\n  tactus status\n  tactus status --json | jq -r .mode"},
   });
   for (const VerbText& text : kRequests) {
     auto [verb, options] = add_verb(app, text);
     verb->callback([options, name = std::string(text.name)] {
       if (name == "estop") {
-        stop(options->run);
+        stop(*options);
       } else {
         tell(*options, name);
       }
@@ -140,7 +174,7 @@ void add_requests(CLI::App& app) {
   verb->callback([options] {
     with_controller(options->run, {},
                     [&](const std::filesystem::path& folder, const LineSession* /*line*/) {
-                      home(folder, options->wait);
+                      home(folder, *options);
                     });
   });
 }
@@ -149,10 +183,13 @@ void add_parameters(CLI::App& app) {
   auto [get, got] =
       add_verb(app, {"get", "Read a parameter of the running controller, or list them all",
                      "Examples:\n  tactus get\n  tactus get max_force_N\n  tactus get "
-                     "object.bunny.stiffness_N_per_m"});
+                     "object.bunny.stiffness_N_per_m\n  tactus get --json | jq "
+                     "'.parameters[].name'"});
   get->add_option("name", got->name, "As `tactus get` lists it; an object by name or number");
-  get->callback(
-      [options = got] { tell(*options, options->name.empty() ? "list" : "get " + options->name); });
+  get->callback([options = got] {
+    tell_parameters(ask(*options, options->name.empty() ? "list" : "get " + options->name),
+                    options->json);
+  });
 
   auto [set, change] =
       add_verb(app, {"set", "Change a parameter of the running controller",

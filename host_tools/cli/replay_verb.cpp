@@ -14,6 +14,7 @@
 #include "host_tools/cli/picture_option.h"
 #include "host_tools/cli/progress_line.h"
 #include "host_tools/cli/replay_explanation.h"
+#include "host_tools/cli/replay_report.h"
 #include "host_tools/files/output_place.h"
 #include "host_tools/input_error.h"
 #include "host_tools/plot/figures.h"
@@ -62,10 +63,11 @@ struct ReplayOptions {
   std::string csv;
   std::string picture;
   std::string explain;
+  bool json = false;
 };
 
 // Returns true if every replayed tick equals the recorded one.
-bool compare(std::deque<RecordedRun>& runs, const std::string& explain) {
+bool compare(std::deque<RecordedRun>& runs, const ReplayOptions& options) {
   std::vector<RecordedRun*> devices;
   devices.reserve(runs.size());
   for (RecordedRun& each : runs) {
@@ -79,8 +81,9 @@ bool compare(std::deque<RecordedRun>& runs, const std::string& explain) {
   }
   std::optional<ReplayExplanation> explanation;
   const auto begin = [&](firmware::Controller& controller) {
-    if (!explain.empty()) {
-      explanation.emplace(explain, controller, run.setup().world.tool_radius_m, run.ticks());
+    if (!options.explain.empty()) {
+      explanation.emplace(options.explain, controller, run.setup().world.tool_radius_m,
+                          run.ticks());
     }
   };
   const auto see = [&](const firmware::RecordedTick& tick) {
@@ -97,22 +100,10 @@ bool compare(std::deque<RecordedRun>& runs, const std::string& explain) {
   if (explanation) {
     explanation->close();
   }
-  if (result.ticks > 0) {
-    fmt::print("ticks {} to {} ({:.3f} s): every hash equal\n", result.first_tick,
-               result.first_tick + result.ticks - 1, static_cast<double>(result.ticks) / rate_hz);
-  } else if (!result.difference) {
+  if (result.ticks == 0 && !result.difference) {
     throw InputError(run.name() + ": it holds no tick to replay");
   }
-  if (result.cut) {
-    fmt::print("the recording was cut off: its last ticks are missing\n");
-  }
-  if (const auto& difference = result.difference) {
-    const std::string device =
-        devices.size() == 1 ? "" : fmt::format(" of device {}", difference->device + 1);
-    fmt::print("tick {} ({:.3f} s){} differs: {} was {} and is now {}\n", difference->tick,
-               static_cast<double>(difference->tick) / rate_hz, device, difference->field,
-               difference->recorded, difference->replayed);
-  }
+  print_replay({.result = result, .rate_hz = rate_hz, .devices = devices.size()}, options.json);
   return !result.difference.has_value() && (!explanation || explanation->agrees());
 }
 
@@ -186,20 +177,7 @@ void show_changed(RecordedRun& run, const ReplayOptions& options) {
   const WhatIfSummary summary =
       what_if(run, changes, [&](const WhatIfTick& tick) { traces.add(tick); });
   traces.close();
-  fmt::print(
-      "force on the hand, N      as recorded   as changed\n"
-      "largest                  {:12.3f} {:12.3f}\n"
-      "mean while felt          {:12.3f} {:12.3f}\n"
-      "farthest apart: {:.3f} N at {:.3f} s\n",
-      summary.most_recorded_N, summary.most_changed_N, summary.mean_recorded_N,
-      summary.mean_changed_N, summary.most_apart_N, summary.most_apart_s);
-  if (summary.fault_s) {
-    fmt::print("the changed run ends in a fault at {:.3f} s, the recorded one does not\n",
-               *summary.fault_s);
-  }
-  if (summary.scene_changed_s) {
-    fmt::print("up to {:.3f} s, where the scene changed\n", *summary.scene_changed_s);
-  }
+  print_change(summary, options.json);
 }
 
 // Returns the exit code. Throws InputError if the recording cannot be replayed.
@@ -222,7 +200,7 @@ int run_replay(const ReplayOptions& options) {
   for (const std::string& recording : options.recordings) {
     runs.emplace_back(recording, options.images);
   }
-  if (!compare(runs, options.explain)) {
+  if (!compare(runs, options)) {
     return kDiffers;
   }
   if (!options.changes.empty()) {
@@ -249,6 +227,8 @@ void add_replay_verb(CLI::App& app) {
   verb->add_option("--explain", options->explain,
                    "Write every step of every tick of the first device to this CSV file "
                    "(host_tools/explain/README.md)");
+  verb->add_flag("--json", options->json,
+                 "Print what was found as one JSON object, with --set a second one of both forces");
   verb->footer(kReplayExamples);
   verb->callback([options] {
     if (const int code = run_replay(*options); code != 0) {

@@ -18,6 +18,7 @@
 #include "firmware/commands/injection.h"
 #include "firmware/linux/commands/device_folders.h"
 #include "firmware/linux/commands/scene_store.h"
+#include "firmware/linux/realtime/loop_timing.h"
 #include "hal/linux/clock.h"
 #include "host_tools/cli/served_device.h"
 #include "host_tools/input_error.h"
@@ -66,13 +67,22 @@ class ServedSimulation {
     hal::LinuxClock clock;
     const hal::Phase phase{.period_ns = static_cast<hal::TimeNs>(1e9 / rate_hz_)};
     hal::Wake wake = clock.sleep_until(hal::next_instant_ns(phase, clock.now_ns()));
+    timing_.set_period(phase.period_ns);
     for (; ticks_ > 0 && !g_is_to_end.load(std::memory_order_relaxed); --ticks_) {
+      timing_.woke(wake);
+      ++served_;
       tick(wake);
       wake = clock.sleep_to_phase(phase, wake);
     }
     for (const auto& device : devices_) {
       device->stop();
     }
+  }
+
+  // Returns how many ticks were served, and how many came late.
+  [[nodiscard]] std::string summary() const {
+    return fmt::format("served {} ticks; {} began more than half a period late, {} were left out",
+                       served_, timing_.late(), timing_.missed());
   }
 
   [[nodiscard]] std::size_t device_count() const { return devices_.size(); }
@@ -139,6 +149,9 @@ class ServedSimulation {
   double rate_hz_;
   // The ticks that are left.
   std::uint64_t ticks_ = std::numeric_limits<std::uint64_t>::max();
+  std::uint64_t served_ = 0;
+  // Being late is no fault of a simulation: the controller is not told.
+  firmware::LoopTiming timing_;
   // It has a megabyte, too much for the stack. Members are destroyed in reverse order: the servers
   // go before what they serve.
   std::unique_ptr<firmware::SceneStore> scenes_ = std::make_unique<firmware::SceneStore>();
@@ -161,6 +174,7 @@ void serve_simulation(const std::filesystem::path& scene, const RunOptions& run,
              options.run_dir.string(),
              served.device_count() > 1 ? ", and both with --device 2 or the preset's name" : "");
   served.run();
+  fmt::print(stderr, "tactus sim: {}\n", served.summary());
 }
 
 }  // namespace tactus::host

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <iterator>
+#include <nlohmann/json.hpp>
 #include <string_view>
 
 #include "firmware/safety/faults.h"
@@ -44,6 +45,18 @@ std::string fault_table_text() {
                    fault.recovery);
   }
   return text;
+}
+
+std::string fault_table_json() {
+  auto faults = nlohmann::ordered_json::array();
+  for (const firmware::FaultText& fault : firmware::kFaultTexts) {
+    faults.push_back({{"code", firmware::fault_code(fault.bit)},
+                      {"name", fault.name},
+                      {"trigger", fault.meaning},
+                      {"reaction", fault.reaction},
+                      {"recovery", fault.recovery}});
+  }
+  return faults.dump() + "\n";
 }
 
 }  // namespace tactus::host

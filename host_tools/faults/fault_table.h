@@ -18,4 +18,8 @@ std::string with_fault_table(const std::string& document);
 // Returns the table for a terminal: two lines a code.
 std::string fault_table_text();
 
+// Returns a JSON array with an object for each code: its number, name, trigger, reaction and
+// recovery.
+std::string fault_table_json();
+
 }  // namespace tactus::host

@@ -1,6 +1,8 @@
 #include "host_tools/monitor/run_view.h"
 
+#include <algorithm>
 #include <cmath>
+#include <cstdint>
 
 namespace tactus::host {
 
@@ -21,6 +23,15 @@ double next_scale(double scale) {
   return decade * (lead < 1.5 ? 2.0 : lead < 3.0 ? 5.0 : 10.0);
 }
 
+// Returns true if a tick began more than half a period after its time. `before` is an earlier one
+// of the same run.
+bool began_late(const firmware::RecordedTick& tick, const firmware::RecordedTick& before) {
+  const auto periods = static_cast<double>(tick.record.tick - before.record.tick);
+  const auto passed_ns =
+      static_cast<double>(tick.loop.scheduled_ns) - static_cast<double>(before.loop.scheduled_ns);
+  return 2.0 * periods * static_cast<double>(tick.loop.wake_latency_ns()) > passed_ns;
+}
+
 }  // namespace
 
 void RunView::take(const RunInfo& info) {
@@ -36,8 +47,10 @@ void RunView::take(const firmware::RecordedTick& tick) {
   // The first tick, or the first one of another run.
   if (begins) {
     instants_.clear();
+    seen_late_ = 0;
   } else {
     missing_ += tick.record.tick - newest_->record.tick - 1;
+    seen_late_ += tick.loop.woke_ns != 0 && began_late(tick, *newest_) ? 1U : 0U;
   }
   lost_ = false;
   newest_ = tick;
@@ -53,6 +66,11 @@ void RunView::take(const firmware::RecordedTick& tick) {
   while (std::isfinite(force_N) && force_N > force_scale_N_) {
     force_scale_N_ = next_scale(force_scale_N_);
   }
+}
+
+std::uint64_t RunView::late_ticks() const {
+  const std::uint64_t counted = newest_ ? newest_->record.counters.late_ticks : 0;
+  return std::max(counted, seen_late_);
 }
 
 double RunView::rate_hz() const {

@@ -55,6 +55,10 @@ class RunView {
   [[nodiscard]] const firmware::TimeHistogram& wake_up() const { return wake_up_; }
   // Returns how long the ticks took, ns.
   [[nodiscard]] const firmware::TimeHistogram& tick_time() const { return tick_time_; }
+  // Returns how many ticks began late: as many as the controller has counted, or as the monitor has
+  // seen begin more than half a period after their time. The controller of a simulation counts
+  // none, since being late there is no fault.
+  [[nodiscard]] std::uint64_t late_ticks() const;
   // Returns how many ticks the controller published and the monitor did not receive.
   [[nodiscard]] std::uint64_t missing() const { return missing_; }
   // Returns the end of the force bar: 1, 2 or 5 times a power of ten, above every force so far.
@@ -76,6 +80,7 @@ class RunView {
   firmware::TimeHistogram wake_up_;
   firmware::TimeHistogram tick_time_;
   std::uint64_t missing_ = 0;
+  std::uint64_t seen_late_ = 0;
   double force_scale_N_ = 1.0;
 };
 

@@ -223,7 +223,7 @@ void draw_loop(Canvas& canvas, const RunView& view, const RecordedTick& tick) {
   const auto us = [](std::uint32_t ns) { return 1e-3 * ns; };
   std::size_t row = kTouchRow + 1;
   canvas.put(row++, kRightColumn,
-             fmt::format("{:.1f} Hz, {} late", view.rate_hz(), tick.record.counters.late_ticks));
+             fmt::format("{:.1f} Hz, {} late", view.rate_hz(), view.late_ticks()));
   if (view.tick_time().count() > 0) {
     canvas.put(row, kRightColumn,
                fmt::format("tick {:.1f} us, longest {:.1f}", 1e-3 * view.tick_time().mean_ns(),

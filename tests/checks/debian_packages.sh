@@ -25,6 +25,8 @@ has() { grep -qx "\./$2" < <(dpkg --contents "$packages/$1"_*.deb | awk '{print 
 contents_are_complete() {
   has tactus usr/bin/tactus
   has tactus usr/share/bash-completion/completions/tactus
+  has tactus usr/share/zsh/vendor-completions/_tactus
+  has tactus usr/share/fish/vendor_completions.d/tactus.fish
   has tactus usr/share/tactus/examples/bunny/scene.toml
   has tactus usr/share/man/man1/tactus-bake.1.gz
   has tactusd usr/bin/tactusd
@@ -100,7 +102,34 @@ completes() {
   [[ "$(offered "$@")" == "$wanted" ]] || fail "bash offers '$(offered "$@")' for '$*', not '$wanted'"
 }
 
+# Prints what fish offers for the last word of the command line, and what zsh does.
+offered_by_fish() {
+  PATH="$root/usr/bin:$PATH" fish --no-config -c "source '$root/usr/share/fish/vendor_completions.d/tactus.fish'; complete --do-complete '$*'"
+}
+# zsh completes in its line editor alone; here a function takes what the file would offer there.
+offered_by_zsh() {
+  # shellcheck disable=SC2016  # the inner shell's own
+  PATH="$root/usr/bin:$PATH" zsh -fc '
+    compadd() { print -l -- "${(@P)2}"; }
+    _files() { print "(files)"; }
+    file="$1" && shift
+    words=("$@") CURRENT=$#
+    source "$file"' zsh "$root/usr/share/zsh/vendor-completions/_tactus" "$@"
+}
+other_shells_complete() {
+  local shell="$1" wanted="$2" found
+  shift 2
+  found="$("offered_by_$shell" "$@" | paste -sd' ')"
+  [[ "$found" == "$wanted" ]] || fail "$shell offers '$found' for '$*', not '$wanted'"
+}
+
 shell_completes() {
+  other_shells_complete fish bench tactus be
+  other_shells_complete fish '--json' tactus bake --j
+  other_shells_complete fish 'off on' tactus record ''
+  other_shells_complete zsh bench tactus be
+  other_shells_complete zsh 'on off' tactus record ''
+  other_shells_complete zsh '(files)' tactus bake sce
   completes bench tactus be
   completes odrive tactus emulate o
   completes '--json' tactus bake --j

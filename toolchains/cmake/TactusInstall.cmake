@@ -15,6 +15,8 @@ if(TARGET tactus)
   install(TARGETS tactus RUNTIME DESTINATION "${CMAKE_INSTALL_BINDIR}")
   install(DIRECTORY host_tools/examples DESTINATION "${CMAKE_INSTALL_DATADIR}/tactus" USE_SOURCE_PERMISSIONS PATTERN out EXCLUDE)
   install(FILES host_tools/cli/completion.bash DESTINATION "${CMAKE_INSTALL_DATADIR}/bash-completion/completions" RENAME tactus)
+  install(FILES host_tools/cli/completion.zsh DESTINATION "${CMAKE_INSTALL_DATADIR}/zsh/vendor-completions" RENAME _tactus)
+  install(FILES host_tools/cli/completion.fish DESTINATION "${CMAKE_INSTALL_DATADIR}/fish/vendor_completions.d" RENAME tactus.fish)
 endif()
 install(FILES LICENSE README.md CHANGELOG.md DESTINATION "${CMAKE_INSTALL_DOCDIR}")
 

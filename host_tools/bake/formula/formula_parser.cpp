@@ -12,7 +12,7 @@
 #include "host_tools/bake/formula/formula_builder.h"
 #include "host_tools/bake/formula/formula_functions.h"
 #include "host_tools/bake/formula/formula_syntax.h"
-#include "host_tools/bake/toml/edit_distance.h"
+#include "host_tools/nearest_name.h"
 #include "rendering/geometry/portable_math.h"
 #include "rendering/limits.h"
 
@@ -249,14 +249,10 @@ class Compiler {
 
   // Reports an unknown name with the nearest known one.
   [[noreturn]] void fail_unknown(const FormulaNode& node) {
-    std::string_view nearest = "pi";
-    const auto consider = [&](std::string_view name) {
-      if (edit_distance(node.name, name) < edit_distance(node.name, nearest)) {
-        nearest = name;
-      }
-    };
+    NearestName nearest(node.name);
+    nearest.consider("pi");
     for (const FormulaFunction& function : formula_functions()) {
-      consider(function.name);
+      nearest.consider(function.name);
       if (function.name == node.name) {
         fail_formula(text_, node.place,
                      fmt::format("{} is a function; write {}({})", node.name, node.name,
@@ -264,15 +260,14 @@ class Compiler {
       }
     }
     for (const Placing& placing : kPlacings) {
-      consider(placing.name);
+      nearest.consider(placing.name);
     }
-    const bool is_near =
-        edit_distance(node.name, nearest) <= std::max<std::size_t>(1, node.name.size() / 3);
+    const auto meant = nearest.found();
     fail_formula(text_, node.place,
                  fmt::format("no name '{}'; {}", node.name,
-                             is_near ? fmt::format("did you mean {}?", nearest)
-                                     : "there are x, y, z, pi and the functions of "
-                                       "rendering/surface/README.md"));
+                             meant ? fmt::format("did you mean {}?", *meant)
+                                   : "there are x, y, z, pi and the functions of "
+                                     "rendering/surface/README.md"));
   }
 
   std::string_view text_;

@@ -9,7 +9,7 @@
 #include <numbers>
 
 #include "hal/angle.h"
-#include "host_tools/bake/toml/edit_distance.h"
+#include "host_tools/nearest_name.h"
 
 namespace tactus::host {
 namespace {

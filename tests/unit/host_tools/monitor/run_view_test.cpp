@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdint>
 #include <limits>
 
 #include "tests/unit/host_tools/monitor/example_run.h"
@@ -42,6 +43,28 @@ TEST(RunView, CountsHowLateTheLoopWoke) {
   EXPECT_EQ(view.wake_up().bins()[60], 1U);
   EXPECT_EQ(view.wake_up().overflow(), 1U);
   EXPECT_EQ(view.tick_time().bins()[80], 100U);
+}
+
+TEST(RunView, CountsLateTicksThatTheControllerDoesNotCount) {
+  RunView view;
+  const auto take = [&](std::uint64_t number, std::int64_t latency_ns, std::uint32_t counted) {
+    firmware::RecordedTick tick = example_tick(number, 1);
+    tick.loop.woke_ns = tick.loop.scheduled_ns + latency_ns;
+    tick.record.counters.late_ticks = counted;
+    view.take(tick);
+  };
+  take(1, 0, 0);
+  take(2, 499'000, 0);
+  EXPECT_EQ(view.late_ticks(), 0U);
+  take(3, 501'000, 0);
+  // Ten periods have passed between these two.
+  take(13, 499'000, 0);
+  take(23, 501'000, 0);
+  EXPECT_EQ(view.late_ticks(), 2U);
+  take(24, 0, 7);
+  EXPECT_EQ(view.late_ticks(), 7U) << "the controller has seen those that were not published, too";
+  take(1, 0, 0);
+  EXPECT_EQ(view.late_ticks(), 0U) << "another run";
 }
 
 TEST(RunView, ASimulationHasNoWakeUps) {
