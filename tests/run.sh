@@ -26,6 +26,7 @@ all_stages=(
   "stack-check       stack_bound_is_right.sh"
   "include-check     include_check_catches_offences.sh"
   "tidy-check        tidy_catches_offences.sh"
+  "left-out          without_usb_and_gpio.sh"
   "guides            guides.sh"
   "mutations         mutations.sh"
   "profiles          profiles.sh"

@@ -3,7 +3,7 @@
 #   toolchains/install-packages.sh demo tests
 #   toolchains/install-packages.sh --list board     prints the names, and installs nothing
 # Does nothing where all are there; else needs root or sudo. A package marked /backports comes from bookworm-backports, which
-# is asked for this installation only where the machine does not list it.
+# is asked for this installation only where the machine does not list it; on another release than bookworm it is the release's own.
 set -euo pipefail
 
 list="$(dirname "${BASH_SOURCE[0]}")/packages.txt"
@@ -27,6 +27,8 @@ packages_of() {
       esac
     done
 }
+
+codename="$(sed -n 's/^VERSION_CODENAME=//p' /etc/os-release)"
 
 is_installed() {
   local state
@@ -87,6 +89,7 @@ for group in "$@"; do
       echo "$package"
       continue
     fi
+    if [[ "$codename" != bookworm ]]; then package="${package%/backports}"; fi
     is_installed "$package" || missing+=("$package")
   done
 done

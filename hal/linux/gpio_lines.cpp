@@ -136,6 +136,10 @@ Result<RequestConfig> to_gpiod(const GpioRequest& request) {
 
 }  // namespace
 
+bool has_libgpiod() {
+  return true;
+}
+
 LinuxGpioLines::~LinuxGpioLines() {
   release();
 }

@@ -14,6 +14,9 @@ struct gpiod_line_request;
 
 namespace tactus::hal {
 
+// Returns true if this build has libgpiod 2. Without it no line can be requested: `not_supported`.
+[[nodiscard]] bool has_libgpiod();
+
 // A request of lines. Between request and release, get, set and read_edges allocate nothing:
 // libgpiod 2.1 keeps their arguments on the stack and the edges in the buffer made by `request`.
 // Each read of edges zeroes that buffer, 88 bytes per event, so it holds 64 events even if the

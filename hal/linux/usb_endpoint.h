@@ -32,6 +32,9 @@ struct LinuxUsbConfig {
   std::uint8_t endpoint_in = 0x81;
 };
 
+// Returns true if this build has libusb. Without it nothing can be opened: `not_supported`.
+[[nodiscard]] bool has_libusb();
+
 // One claimed interface. The device is identified by vendor, product and serial number, so that it
 // may come back at another port. An arrival is noticed only if a udev daemon runs; a departure then
 // within milliseconds.

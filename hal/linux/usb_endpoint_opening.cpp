@@ -37,6 +37,10 @@ void LibusbCallbacks::descriptor_removed(int descriptor, void* endpoint) {
   static_cast<LinuxUsbEndpoint*>(endpoint)->remove_descriptor(descriptor);
 }
 
+bool has_libusb() {
+  return true;
+}
+
 LinuxUsbEndpoint::~LinuxUsbEndpoint() {
   if (context_ == nullptr) {
     return;

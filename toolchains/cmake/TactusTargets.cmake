@@ -7,6 +7,8 @@
 #   Sources of the calling CMakeLists.txt that work before the first tick, of a library whose other sources work in it: compiled as SMALL says.
 # tactus_program(NAME SOURCES file... DEPENDS target...)
 #   A host program, put in <build>/bin.
+# tactus_left_out(WHAT WHY)
+#   Notes a part that this build does not have; the end of configuring lists them.
 # tactus_embed(TARGET NAME FILE)
 #   The text of a file of the repository, for the target's sources: tactus::host::NAME, a std::string_view, in the header that is
 #   called as the file with .h behind: #include "host_tools/examples/heart/wish.csv.h".
@@ -27,6 +29,10 @@ endif()
 set(TACTUS_CONTROLLER_OPTIONS -fno-exceptions -fno-rtti)
 # What libFuzzer follows, and the checks of undefined behaviour that cost the most to compile.
 set(TACTUS_FUZZ_OPTIONS -fsanitize=fuzzer-no-link,null,object-size,pointer-overflow)
+
+function(tactus_left_out what why)
+  set_property(GLOBAL APPEND PROPERTY TACTUS_LEFT_OUT "${what}: ${why}")
+endfunction()
 
 function(tactus_library name)
   cmake_parse_arguments(PARSE_ARGV 1 arg "CONTROLLER;SMALL" "" "SOURCES;HEADERS;DEPENDS;PRIVATE_DEPENDS")

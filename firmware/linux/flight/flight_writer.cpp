@@ -65,7 +65,7 @@ void FlightWriter::run() {
     stopping = stopping_.load(std::memory_order_acquire);
     const bool fault = stopping && is_fault_waiting();
     const bool ready = has_scene_.load(std::memory_order_acquire);
-    if (ready && (wanted_.exchange(false, std::memory_order_acq_rel) || fault)) {
+    if (ready && (wanted_.exchange(0, std::memory_order_acq_rel) != 0 || fault)) {
       write_out();
     }
     if (!stopping) {

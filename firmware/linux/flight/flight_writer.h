@@ -63,7 +63,7 @@ class FlightWriter {
   void use_scene(std::span<const std::byte> image);
 
   // Asks for a file with the ticks that there are. Any thread, or a signal handler.
-  void ask() { wanted_.store(true, std::memory_order_release); }
+  void ask() { wanted_.store(1, std::memory_order_release); }
 
   // Writes a fault that is not written yet and ends the thread. Call after the loop's last tick.
   void stop();
@@ -102,8 +102,8 @@ class FlightWriter {
   HelperThread thread_;
   // False between leave_scene() and use_scene(): nothing is written then.
   std::atomic<bool> has_scene_{true};
-  // True if a file is wanted.
-  std::atomic<bool> wanted_{false};
+  // 1 if a file is wanted. A word: RISC-V has no atomic bytes.
+  std::atomic<std::uint32_t> wanted_{0};
   std::atomic<bool> stopping_{false};
   std::atomic<std::uint32_t> files_{0};
 };

@@ -8,6 +8,11 @@ namespace {
 
 constexpr std::uint32_t kHaplyBaud = 115'200;  // the board's USB ignores it
 
+// A build may lack libraries.
+constexpr hal::Error kLeftOut{hal::ErrorCode::not_supported, 0};
+constexpr std::string_view kNoGpio =
+    "this program was built without GPIO; install libgpiod 2 and build it anew";
+
 // Returns the error of a connection.
 std::unexpected<OpenError> cannot(const ConnectionConfig& connection, std::string_view what,
                                   const hal::Error& error = {hal::ErrorCode::invalid_argument, 0}) {
@@ -62,6 +67,10 @@ LinuxBoards::Outcome LinuxBoards::open(const Opening& opening, const drivers::Ca
 LinuxBoards::Outcome LinuxBoards::open(const Opening& opening,
                                        const drivers::FalconConnection& usb) {
   const ConnectionConfig& setup = opening.connection();
+  if (!hal::has_libusb()) {
+    return cannot(setup, "this program was built without USB; install libusb-1.0 and build it anew",
+                  kLeftOut);
+  }
   FalconLine& line = falcons_[opening.index];
   const auto opened = line.usb.open({.vendor = drivers::kFalconVendor,
                                      .product = drivers::kFalconProduct,
@@ -104,6 +113,9 @@ LinuxBoards::Outcome LinuxBoards::open(const Opening& opening,
 LinuxBoards::Outcome LinuxBoards::open(const Opening& opening,
                                        const drivers::GpioConnection& gpio) {
   const ConnectionConfig& setup = opening.connection();
+  if (!hal::has_libgpiod()) {
+    return cannot(setup, kNoGpio, kLeftOut);
+  }
   const drivers::GpioAxisConfig* drive = nullptr;
   for (const AxisConfig& axis : opening.axes()) {
     if (axis.connection == opening.index) {
@@ -144,6 +156,9 @@ std::expected<void, OpenError> LinuxBoards::open_watchdog(const DeviceConfig& co
                                                           WatchdogOutput& watchdog) {
   if (!config.watchdog_line) {
     return {};
+  }
+  if (!hal::has_libgpiod()) {
+    return std::unexpected(OpenError{"watchdog", kNoGpio, kLeftOut});
   }
   const drivers::OutputPin& pin = *config.watchdog_line;
   watchdog_lines_.emplace(config.watchdog_chip);

@@ -28,7 +28,9 @@
 #include "firmware/linux/tactusd/real_time_thread.h"
 #include "firmware/linux/tactusd/run_folder.h"
 #include "firmware/linux/tactusd/supervisor.h"
+#include "hal/linux/gpio_lines.h"
 #include "hal/linux/system.h"
+#include "hal/linux/usb_endpoint.h"
 
 namespace tactus::firmware {
 namespace {
@@ -38,17 +40,12 @@ constexpr int kEnded = 0;
 constexpr int kFaulted = 1;
 constexpr int kCouldNotStart = 2;
 
-// True after a signal that ends the program.
-std::atomic<bool> stop_requested{false};
-static_assert(std::atomic<bool>::is_always_lock_free);
-
-// The signal that requested the stop; 0: none.
+// The signal that ends the program; 0: none has come.
 std::atomic<int> end_signal{0};
 static_assert(std::atomic<int>::is_always_lock_free);
 
 void on_end_signal(int signal) {
   end_signal.store(signal, std::memory_order_relaxed);
-  stop_requested.store(true, std::memory_order_relaxed);
 }
 
 std::uint64_t now_ns() {
@@ -100,9 +97,8 @@ int run(const Options& options) {
     config.ticks = static_cast<std::uint64_t>(std::ceil(options.seconds * rate_hz));
   }
   program.timing.set_period(config.phase.period_ns);
-  ProgramHooks hooks(
-      {.devices = all, .supervisor = program.supervisor, .stop_requested = stop_requested},
-      options.enable);
+  ProgramHooks hooks({.devices = all, .supervisor = program.supervisor, .end_signal = end_signal},
+                     options.enable);
   std::array<WatchdogOutput*, rendering::kMaxTools> watchdogs{};
   std::array<drivers::ComposedDevice*, rendering::kMaxTools> devices{};
   for (std::size_t i = 0; i < all.size(); ++i) {
@@ -226,7 +222,9 @@ int main(int argc, char** argv) {
     return tactus::firmware::kEnded;
   }
   if (options.version) {
-    std::puts("tactusd " TACTUS_VERSION);
+    std::printf("tactusd %s: CAN, serial ports, %s, %s\n", TACTUS_VERSION,
+                tactus::hal::has_libusb() ? "USB" : "no USB (built without libusb-1.0)",
+                tactus::hal::has_libgpiod() ? "GPIO" : "no GPIO (built without libgpiod 2)");
     return tactus::firmware::kEnded;
   }
   return tactus::firmware::start_and_run(options);

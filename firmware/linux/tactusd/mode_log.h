@@ -24,7 +24,7 @@ class ModeLog {
       return;
     }
     const std::uint32_t change = changes_.load(std::memory_order_relaxed);
-    modes_[change % kModesKept].store(mode, std::memory_order_relaxed);
+    modes_[change % kModesKept].store(static_cast<std::uint32_t>(mode), std::memory_order_relaxed);
     changes_.store(change + 1, std::memory_order_release);
     last_ = mode;
   }
@@ -36,15 +36,16 @@ class ModeLog {
     if (read_ == changes) {
       return std::nullopt;
     }
-    return modes_[read_++ % kModesKept].load(std::memory_order_relaxed);
+    return static_cast<Mode>(modes_[read_++ % kModesKept].load(std::memory_order_relaxed));
   }
 
  private:
-  static_assert(std::atomic<Mode>::is_always_lock_free);
+  // Bytes are not lock-free on every processor.
+  static_assert(std::atomic<std::uint32_t>::is_always_lock_free);
 
   // The loop writes these: the modes of the last changes with their number.
   std::atomic<std::uint32_t> changes_{0};
-  std::array<std::atomic<Mode>, kModesKept> modes_{};
+  std::array<std::atomic<std::uint32_t>, kModesKept> modes_{};
   Mode last_ = Mode::init;
   // The reader's: the number of changes that it has read or lost.
   std::uint32_t read_ = 0;

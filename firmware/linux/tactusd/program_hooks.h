@@ -26,15 +26,15 @@ class ProgramHooks {
     // The devices in the order of the controller's.
     std::span<RunDevice* const> devices;
     Supervisor& supervisor;
-    // True after a signal that ends the program.
-    const std::atomic<bool>& stop_requested;
+    // The signal that ends the program; 0: none has come.
+    const std::atomic<int>& end_signal;
   };
 
   // `enable`: the option --enable.
   ProgramHooks(const Parts& parts, bool enable) : parts_(parts), enable_(enable) {}
 
   [[nodiscard]] bool stopping() const {
-    return parts_.stop_requested.load(std::memory_order_relaxed);
+    return parts_.end_signal.load(std::memory_order_relaxed) != 0;
   }
   [[nodiscard]] static bool has_crashed() { return has_helper_crashed(); }
 
