@@ -14,6 +14,7 @@
 #include "host_tools/bake/device/device_bake.h"
 #include "host_tools/doctor/doctor.h"
 #include "host_tools/input_error.h"
+#include "host_tools/terminal_colour.h"
 
 namespace tactus::host {
 namespace {
@@ -65,7 +66,7 @@ void run(const DoctorOptions& options) {
   const Needs needs = needs_of_file(options.device);
   Machine machine = options.root.empty() ? Machine() : Machine(options.root);
   const Findings findings = examine(machine, needs);
-  fmt::print("{}", options.json ? in_json(findings) : in_words(findings));
+  fmt::print("{}", options.json ? in_json(findings) : in_words(findings, has_colour(stdout)));
   if (!options.save.empty()) {
     machine.save(options.save);
   }

@@ -40,6 +40,7 @@
 #include "host_tools/input_error.h"
 #include "host_tools/nearest_name.h"
 #include "host_tools/remote/remote.h"
+#include "host_tools/terminal_colour.h"
 
 namespace {
 
@@ -81,7 +82,14 @@ std::string name_of_run(const CLI::App& app) {
 // Prints one line to stderr and returns the exit code.
 int report(const CLI::App& app, std::string_view message, ExitCode code) {
   // If stderr cannot be written either, only the exit code is left to report the failure.
-  std::fputs(fmt::format("{}: {}\n", name_of_run(app), message).c_str(), stderr);
+  const std::string name = name_of_run(app) + ":";
+  const bool colours = tactus::host::has_colour(stderr);
+  std::fputs(
+      fmt::format("{} {}\n",
+                  colours ? tactus::host::coloured(name, tactus::host::TerminalColour::red) : name,
+                  message)
+          .c_str(),
+      stderr);
   return code;
 }
 

@@ -121,7 +121,8 @@ void draw_frames(const StepsPlotOptions& options, const StepsPlotFiles& files,
   {
     ProgressLine progress;
     for (std::size_t i = 0; i < ticks.size(); ++i) {
-      progress.step(fmt::format("frame {} of {}", i + 1, ticks.size()));
+      progress.step(fmt::format("frame {} of {}", i + 1, ticks.size()),
+                    static_cast<double>(i) / static_cast<double>(ticks.size()));
       const auto draw = [&](const fs::path& folder, PictureFormat format) {
         const fs::path file = folder / fmt::format("frame_{:04}{}", i + 1, extension_of(format));
         frames.draw(i, file);

@@ -11,6 +11,11 @@ namespace {
 constexpr std::chrono::milliseconds kQuietAtFirst{2000};
 constexpr std::chrono::milliseconds kInterval{500};
 
+// Returns ", 12 s left", by the share that is done after so many seconds; nothing if that is 0.
+std::string time_left(double elapsed_s, double done) {
+  return done > 0.0 ? fmt::format(", {:.0f} s left", elapsed_s * (1.0 - done) / done) : "";
+}
+
 }  // namespace
 
 ProgressLine::ProgressLine() : thread_([this](const std::stop_token& stop) { run(stop); }) {}
@@ -20,9 +25,10 @@ ProgressLine::~ProgressLine() {
   thread_.join();
 }
 
-void ProgressLine::step(std::string_view what) {
+void ProgressLine::step(std::string_view what, double done) {
   const std::scoped_lock lock(mutex_);
   what_ = what;
+  done_ = done;
 }
 
 void ProgressLine::run(const std::stop_token& stop) {
@@ -34,7 +40,8 @@ void ProgressLine::run(const std::stop_token& stop) {
   bool shown = false;
   while (!wake_.wait_until(lock, stop, next, [&] { return stop.stop_requested(); })) {
     const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start_;
-    fmt::print(stderr, "{}{:.1f} s  {}", kWipeLine, elapsed.count(), what_);
+    fmt::print(stderr, "{}{:.1f} s  {}{}", kWipeLine, elapsed.count(), what_,
+               time_left(elapsed.count(), done_));
     std::fflush(stderr);
     shown = true;
     next += kInterval;

@@ -23,8 +23,9 @@ class ProgressLine {
   ProgressLine(const ProgressLine&) = delete;
   ProgressLine& operator=(const ProgressLine&) = delete;
 
-  // Sets the text that is shown from now on. Any thread may call it.
-  void step(std::string_view what);
+  // Sets the text that is shown from now on. `done` is the share of the whole that is done, 0 to 1;
+  // from it follows the time that is left, and 0 is not known. Any thread may call it.
+  void step(std::string_view what, double done = 0.0);
 
  private:
   void run(const std::stop_token& stop);
@@ -32,6 +33,7 @@ class ProgressLine {
   std::mutex mutex_;
   std::condition_variable_any wake_;
   std::string what_;
+  double done_ = 0.0;
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
   std::jthread thread_;
 };

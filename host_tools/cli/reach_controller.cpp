@@ -20,7 +20,8 @@ GatewayOptions gateway_options(const std::string& place) {
       *line = std::make_unique<ProgressLine>();
     }
     (*line)->step(
-        fmt::format("the board's {} image: {} of {} kB", image, bytes / 1000, total / 1000));
+        fmt::format("the board's {} image: {} of {} kB", image, bytes / 1000, total / 1000),
+        static_cast<double>(bytes) / static_cast<double>(total));
     if (bytes == total) {
       line->reset();
     }

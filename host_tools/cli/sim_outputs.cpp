@@ -72,7 +72,8 @@ void SimOutputs::add(const Simulation& simulation) {
   const firmware::TelemetryRecord& first = simulation.record();
   if (progress_ && first.tick % kTicksBetweenSteps == 0) {
     progress_->step(fmt::format("{:.1f} of {:.1f} s simulated, mode {}", first.time_s, seconds_,
-                                firmware::mode_name(first.mode)));
+                                firmware::mode_name(first.mode)),
+                    first.time_s / seconds_);
   }
 }
 

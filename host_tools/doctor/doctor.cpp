@@ -8,6 +8,8 @@
 
 #include "host_tools/doctor/checks.h"
 
+#include "host_tools/terminal_colour.h"
+
 namespace tactus::host {
 
 namespace {
@@ -38,6 +40,20 @@ const char* state_name(FindingState state) {
   return "";
 }
 
+TerminalColour colour_of(FindingState state) {
+  switch (state) {
+    case FindingState::well:
+      return TerminalColour::green;
+    case FindingState::advice:
+      return TerminalColour::cyan;
+    case FindingState::mend:
+      return TerminalColour::red;
+    case FindingState::not_looked:
+      return TerminalColour::yellow;
+  }
+  return TerminalColour::yellow;
+}
+
 std::ptrdiff_t count_of(const Findings& findings, FindingState state) {
   return std::ranges::count(findings, state, &Finding::state);
 }
@@ -62,10 +78,12 @@ int exit_code(const Findings& findings) {
   return count_of(findings, FindingState::not_looked) > 0 ? 2 : 0;
 }
 
-std::string in_words(const Findings& findings) {
+std::string in_words(const Findings& findings, bool colours) {
   std::string text;
   for (const Finding& finding : findings) {
-    text += fmt::format("{:<8}{:<24}{}\n", state_name(finding.state), finding.check, finding.found);
+    const std::string state = fmt::format("{:<8}", state_name(finding.state));
+    text += fmt::format("{}{:<24}{}\n", colours ? coloured(state, colour_of(finding.state)) : state,
+                        finding.check, finding.found);
     if (!finding.remedy.empty()) {
       text += fmt::format("{:>8}{}\n", "> ", finding.remedy);
     }

@@ -20,8 +20,9 @@ Findings examine(Machine& machine, const Needs& needs);
 int exit_code(const Findings& findings);
 
 // Returns one line a finding with its remedy on the line below, and a last line with the counts. A
-// line fits into 80 columns unless the finding's text is long.
-std::string in_words(const Findings& findings);
+// line fits into 80 columns unless the finding's text is long. With `colours`, for a terminal, the
+// states have those of a traffic light.
+std::string in_words(const Findings& findings, bool colours = false);
 
 // Returns one JSON object a line, with the keys check, state, found and remedy.
 std::string in_json(const Findings& findings);

@@ -25,3 +25,6 @@ configure_package_config_file("${CMAKE_CURRENT_LIST_DIR}/tactusConfig.cmake.in"
 write_basic_package_version_file("${PROJECT_BINARY_DIR}/tactusConfigVersion.cmake" COMPATIBILITY SameMinorVersion)
 install(FILES "${PROJECT_BINARY_DIR}/tactusConfig.cmake" "${PROJECT_BINARY_DIR}/tactusConfigVersion.cmake"
         DESTINATION "${package_dir}")
+
+add_custom_target(uninstall
+  COMMAND "${CMAKE_COMMAND}" -D "BUILD_DIR=${PROJECT_BINARY_DIR}" -P "${CMAKE_CURRENT_LIST_DIR}/TactusUninstall.cmake" USES_TERMINAL VERBATIM)
