@@ -42,6 +42,7 @@ struct LinuxUsbConfig {
 // Transfers are allocated in `open`, and this class allocates nothing afterwards. libusb itself
 // allocates 56 bytes for each submission and frees them at its completion. The class waits by ppoll
 // on libusb's descriptors, because libusb's own waits round to milliseconds.
+// NOLINTNEXTLINE(performance-trivially-destructible): that is so in absent/ alone
 class LinuxUsbEndpoint final : public UsbEndpoint {
  public:
   LinuxUsbEndpoint() = default;
