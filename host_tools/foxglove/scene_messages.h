@@ -1,0 +1,33 @@
+// The messages that show a scene: its objects as triangles, and the frames in which they are. Pure
+// functions for any thread.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+
+#include "host_tools/foxglove/json_parts.h"
+#include "rendering/scene/scene_image.h"
+
+namespace tactus::host {
+
+// Returns the frame of an object: the world, or its own frame if it moves.
+std::string object_frame(const rendering::SceneImage& scene, std::size_t object);
+
+// Returns a SceneUpdate with every object of the scene in place of all that were there before. The
+// triangles are those of the image: of meshes, and the pictures of primitives and formulas that
+// baking made.
+std::string scene_message(const rendering::SceneImage& scene, std::uint64_t time_ns);
+// Returns a SceneUpdate that removes every object.
+std::string empty_scene_message(std::uint64_t time_ns);
+
+// Where an object that moves is: the pose of its frame in the world.
+struct PlacedObject {
+  std::string frame;
+  rendering::RigidPose X_WO;
+};
+
+// Returns FrameTransforms from the upright frame to the world, and from there to each object.
+std::string frames_message(std::span<const PlacedObject> objects, std::uint64_t time_ns);
+
+}  // namespace tactus::host
