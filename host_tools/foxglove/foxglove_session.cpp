@@ -11,6 +11,7 @@
 #include <iterator>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <utility>
 
@@ -175,11 +176,15 @@ class FoxgloveSession {
           image == nullptr ? empty_scene_message(time_ns) : scene_message(*image, time_ns));
     }
     if (server_->is_wanted(kFramesChannel)) {
-      server_->publish(kFramesChannel, time_ns, frames_message(placed_objects(), time_ns));
+      server_->publish(kFramesChannel, time_ns, frames_message(image, places(), time_ns));
     }
   }
 
-  [[nodiscard]] std::vector<PlacedObject> placed_objects() const { return {}; }
+  [[nodiscard]] std::span<const firmware::ObjectPlace> places() const {
+    const auto& places = devices_.front().live.places();
+    return places ? std::span(places->places).first(places->count)
+                  : std::span<const firmware::ObjectPlace>{};
+  }
 
   void publish(ShownDevice& device) {
     const auto& newest = device.live.newest();

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Geometry>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -25,13 +24,13 @@ std::string vector_json(const firmware::Triple& v) {
                      finite(v[2]));
 }
 
-std::string rotation_json(const Mat3& rotation) {
-  const Eigen::Quaterniond q(rotation);
-  return fmt::format(R"({{"x":{:.9g},"y":{:.9g},"z":{:.9g},"w":{:.9g}}})", q.x(), q.y(), q.z(),
-                     q.w());
+std::string rotation_json(const firmware::Quadruple& rotation) {
+  const auto& [w, x, y, z] = rotation;
+  return fmt::format(R"({{"x":{:.9g},"y":{:.9g},"z":{:.9g},"w":{:.9g}}})", finite(x), finite(y),
+                     finite(z), finite(w));
 }
 
-std::string pose_json(const firmware::Triple& position, const Mat3& rotation) {
+std::string pose_json(const firmware::Triple& position, const firmware::Quadruple& rotation) {
   return fmt::format(R"({{"position":{},"orientation":{}}})", vector_json(position),
                      rotation_json(rotation));
 }

@@ -6,8 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "firmware/telemetry/record.h"
-#include "rendering/geometry/rigid_pose.h"
+#include "firmware/telemetry/object_places.h"
 
 namespace tactus::host {
 
@@ -16,14 +15,17 @@ namespace tactus::host {
 inline constexpr std::string_view kWorldFrame = "W";
 inline constexpr std::string_view kUprightFrame = "map";
 
+// The rotation that leaves everything where it is.
+inline constexpr firmware::Quadruple kUnturned = {1.0, 0.0, 0.0, 0.0};
+
 // Returns a time since 1970.
 std::string time_json(std::uint64_t time_ns);
 // Returns x, y and z, with nine digits; 0 in place of a number that is not finite.
 std::string vector_json(const firmware::Triple& v);
 // Returns a rotation as a quaternion.
-std::string rotation_json(const Mat3& rotation);
+std::string rotation_json(const firmware::Quadruple& rotation);
 // Returns a pose.
-std::string pose_json(const firmware::Triple& position, const Mat3& rotation);
+std::string pose_json(const firmware::Triple& position, const firmware::Quadruple& rotation);
 // Returns a text with its quotation marks. Bytes that are no UTF-8 are replaced.
 std::string text_json(std::string_view text);
 

@@ -66,7 +66,12 @@ std::vector<DevicePlace> devices_in(const std::filesystem::path& run_dir) {
 }
 
 LiveDevice::LiveDevice(DevicePlace place) : place_(std::move(place)) {
+  connect();
+}
+
+void LiveDevice::connect() {
   reader_.emplace((place_.folder / kLiveSocketFile).string());
+  reader_->ask_for_places();
 }
 
 void LiveDevice::connect_again() {
@@ -74,7 +79,7 @@ void LiveDevice::connect_again() {
     return;
   }
   try {
-    reader_.emplace((place_.folder / kLiveSocketFile).string());
+    connect();
   } catch (const InputError&) {
     try_again_ = steady_clock::now() + kBetweenAttempts;  // still nobody there
   }
@@ -97,6 +102,8 @@ bool LiveDevice::take_messages() {
     }
     if (const auto* tick = std::get_if<firmware::RecordedTick>(&*message)) {
       take(*tick);
+    } else if (const auto* places = std::get_if<firmware::ObjectPlaces>(&*message)) {
+      places_ = *places;
     } else if (const auto* event = std::get_if<firmware::TelemetryEvent>(&*message)) {
       is_other_scene = is_other_scene || event->kind == firmware::EventKind::scene;
     } else if (std::holds_alternative<RunInfo>(*message)) {

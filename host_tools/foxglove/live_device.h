@@ -38,6 +38,8 @@ class LiveDevice {
   [[nodiscard]] const DevicePlace& place() const { return place_; }
   // Returns the newest tick; nothing before the first.
   [[nodiscard]] const std::optional<firmware::RecordedTick>& newest() const { return newest_; }
+  // Returns the places of the objects that move, if the controller has sent some.
+  [[nodiscard]] const std::optional<firmware::ObjectPlaces>& places() const { return places_; }
   // Returns the time of the newest tick, ns since 1970.
   [[nodiscard]] std::uint64_t time_ns() const;
   // Returns true while the controller is there.
@@ -46,6 +48,7 @@ class LiveDevice {
   [[nodiscard]] int descriptor() const { return reader_ ? reader_->descriptor() : -1; }
 
  private:
+  void connect();
   void connect_again();
   void take(const firmware::RecordedTick& tick);
 
@@ -53,6 +56,7 @@ class LiveDevice {
   std::optional<LiveReader> reader_;
   std::chrono::steady_clock::time_point try_again_;
   std::optional<firmware::RecordedTick> newest_;
+  std::optional<firmware::ObjectPlaces> places_;
   // The distance of the ticks' clock from 1970, ns.
   std::int64_t clock_offset_ns_ = 0;
 };

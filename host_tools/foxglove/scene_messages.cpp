@@ -2,8 +2,13 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <iterator>
+#include <numbers>
+#include <string_view>
+
+#include "host_tools/foxglove/json_parts.h"
 
 namespace tactus::host {
 namespace {
@@ -65,7 +70,7 @@ void append_object(fmt::memory_buffer& text, const rendering::SceneImage& scene,
       R"("color":{{"r":{},"g":{},"b":{},"a":{}}},"colors":[],"points":[)",
       time_json(time_ns), text_json(object_frame(scene, index)),
       text_json(fmt::format("object/{}", index)), text_json(scene.object_name(index)),
-      kind_of_surface(object), pose_json({}, Mat3::Identity()), colour[0], colour[1], colour[2],
+      kind_of_surface(object), pose_json({}, kUnturned), colour[0], colour[1], colour[2],
       rendering::is_tissue(object) ? kTissueOpacity : 1.0);
   append_points(text, object.mesh);
   fmt::format_to(out, R"(],"indices":[)");
@@ -81,19 +86,18 @@ std::string deletion_of_all(std::uint64_t time_ns) {
 }
 
 std::string transform_json(std::string_view parent, std::string_view child,
-                           const rendering::RigidPose& X_PC, std::uint64_t time_ns) {
+                           const firmware::Triple& translation, const firmware::Quadruple& rotation,
+                           std::uint64_t time_ns) {
   return fmt::format(
       R"({{"timestamp":{},"parent_frame_id":{},"child_frame_id":{},"translation":{},"rotation":{}}})",
-      time_json(time_ns), text_json(parent), text_json(child),
-      vector_json(firmware::to_triple(X_PC.translation)), rotation_json(X_PC.rotation));
+      time_json(time_ns), text_json(parent), text_json(child), vector_json(translation),
+      rotation_json(rotation));
 }
 
-// The world's y is up and its z comes toward the user; here z is up, and y leads away.
-rendering::RigidPose upright() {
-  rendering::RigidPose X_UW;
-  X_UW.rotation << 1.0, 0.0, 0.0, 0.0, 0.0, -1.0, 0.0, 1.0, 0.0;
-  return X_UW;
-}
+// The world's y is up and its z comes toward the user; in the upright frame z is up and y leads
+// away. This turns by a quarter about x.
+constexpr firmware::Quadruple kUprightRotation = {std::numbers::sqrt2 / 2.0,
+                                                  std::numbers::sqrt2 / 2.0, 0.0, 0.0};
 
 }  // namespace
 
@@ -120,12 +124,20 @@ std::string empty_scene_message(std::uint64_t time_ns) {
   return deletion_of_all(time_ns) + "]}";
 }
 
-std::string frames_message(std::span<const PlacedObject> objects, std::uint64_t time_ns) {
+std::string frames_message(const rendering::SceneImage* scene,
+                           std::span<const firmware::ObjectPlace> places, std::uint64_t time_ns) {
   std::string text = R"({"transforms":[)";
-  text += transform_json(kUprightFrame, kWorldFrame, upright(), time_ns);
-  for (const PlacedObject& object : objects) {
+  text += transform_json(kUprightFrame, kWorldFrame, {}, kUprightRotation, time_ns);
+  const std::size_t objects = scene == nullptr ? 0 : scene->objects().size();
+  for (std::size_t i = 0; i < objects; ++i) {
+    if (!scene->objects()[i].moves) {
+      continue;
+    }
+    const auto place = std::ranges::find(places, i, &firmware::ObjectPlace::object);
+    const firmware::ObjectPlace shown = place == places.end() ? firmware::ObjectPlace{} : *place;
     text += ',';
-    text += transform_json(kWorldFrame, object.frame, object.X_WO, time_ns);
+    text += transform_json(kWorldFrame, object_frame(*scene, i), shown.origin_W, shown.rotation_W,
+                           time_ns);
   }
   text += "]}";
   return text;

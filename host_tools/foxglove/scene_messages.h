@@ -6,7 +6,7 @@
 #include <span>
 #include <string>
 
-#include "host_tools/foxglove/json_parts.h"
+#include "firmware/telemetry/object_places.h"
 #include "rendering/scene/scene_image.h"
 
 namespace tactus::host {
@@ -21,13 +21,9 @@ std::string scene_message(const rendering::SceneImage& scene, std::uint64_t time
 // Returns a SceneUpdate that removes every object.
 std::string empty_scene_message(std::uint64_t time_ns);
 
-// Where an object that moves is: the pose of its frame in the world.
-struct PlacedObject {
-  std::string frame;
-  rendering::RigidPose X_WO;
-};
-
-// Returns FrameTransforms from the upright frame to the world, and from there to each object.
-std::string frames_message(std::span<const PlacedObject> objects, std::uint64_t time_ns);
+// Returns FrameTransforms from the upright frame to the world, and from there to each object that
+// moves. An object without a place in `places` is where the scene puts it.
+std::string frames_message(const rendering::SceneImage* scene,
+                           std::span<const firmware::ObjectPlace> places, std::uint64_t time_ns);
 
 }  // namespace tactus::host

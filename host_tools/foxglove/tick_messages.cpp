@@ -69,7 +69,7 @@ std::string colour_json(const MarkerColour& colour) {
 std::string sphere_json(const firmware::Triple& center, double radius_m,
                         const MarkerColour& colour) {
   const double diameter_m = 2.0 * radius_m;
-  return fmt::format(R"({{"pose":{},"size":{},"color":{}}})", pose_json(center, Mat3::Identity()),
+  return fmt::format(R"({{"pose":{},"size":{},"color":{}}})", pose_json(center, kUnturned),
                      vector_json({diameter_m, diameter_m, diameter_m}), colour_json(colour));
 }
 
@@ -81,18 +81,18 @@ std::string arrow_json(const firmware::Triple& tool, const firmware::Triple& for
   if (!(length_m > 0.0) || !std::isfinite(length_m)) {
     return {};
   }
-  const Mat3 rotation = Eigen::Quaterniond::FromTwoVectors(Vec3::UnitX(), force).toRotationMatrix();
+  const auto q = Eigen::Quaterniond::FromTwoVectors(Vec3::UnitX(), force);
   const double head_m = std::min(0.3 * length_m, 2.0 * radius_m);
   return fmt::format(
       R"({{"pose":{},"shaft_length":{:.9g},"shaft_diameter":{:.9g},"head_length":{:.9g},)"
       R"("head_diameter":{:.9g},"color":{}}})",
-      pose_json(tool, rotation), length_m - head_m, 0.5 * radius_m, head_m, radius_m,
-      colour_json(kForceColour));
+      pose_json(tool, {q.w(), q.x(), q.y(), q.z()}), length_m - head_m, 0.5 * radius_m, head_m,
+      radius_m, colour_json(kForceColour));
 }
 
 std::string pose_message(const firmware::Triple& position, std::uint64_t time_ns) {
   return fmt::format(R"({{"timestamp":{},"frame_id":"{}","pose":{}}})", time_json(time_ns),
-                     kWorldFrame, pose_json(position, Mat3::Identity()));
+                     kWorldFrame, pose_json(position, kUnturned));
 }
 
 // Returns true if the text is a number that JSON has: not "inf" or "nan".
