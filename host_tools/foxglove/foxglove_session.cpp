@@ -155,12 +155,19 @@ class FoxgloveSession {
   }
 
   static std::size_t joints_of(const ShownDevice& device) {
-    return device.live.newest() ? device.live.newest()->joint_count : 0;
+    const std::optional<firmware::RecordedTick>& newest = device.live.newest();
+    return newest ? newest->joint_count : 0;
+  }
+
+  // Returns the time of the newest tick.
+  static std::uint64_t time_of(const ShownDevice& device) {
+    const std::optional<firmware::RecordedTick>& newest = device.live.newest();
+    return newest ? device.live.time_of(newest->loop.scheduled_ns) : 0;
   }
 
   void publish() {
     set_channels();
-    const std::uint64_t time_ns = devices_.front().live.time_ns();
+    const std::uint64_t time_ns = time_of(devices_.front());
     publish_scene(time_ns);
     for (ShownDevice& device : devices_) {
       publish(device);
@@ -180,10 +187,12 @@ class FoxgloveSession {
     }
   }
 
-  [[nodiscard]] std::span<const firmware::ObjectPlace> places() const {
-    const auto& places = devices_.front().live.places();
-    return places ? std::span(places->places).first(places->count)
-                  : std::span<const firmware::ObjectPlace>{};
+  [[nodiscard]] TimedPlaces places() const {
+    const LiveDevice& device = devices_.front().live;
+    const std::optional<firmware::ObjectPlaces>& newest = device.places();
+    return newest ? TimedPlaces{.time_ns = device.time_of(newest->time_ns),
+                                .places = std::span(newest->places).first(newest->count)}
+                  : TimedPlaces{};
   }
 
   void publish(ShownDevice& device) {
@@ -191,7 +200,7 @@ class FoxgloveSession {
     if (!device.live.is_there() || !newest || !device.topics) {
       return;
     }
-    const std::uint64_t time_ns = device.live.time_ns();
+    const std::uint64_t time_ns = time_of(device);
     const double radius_m = scene_.image() == nullptr ? 0.0 : scene_.image()->tool_radius_m();
     device.topics->take(*newest, time_ns, radius_m);
     for (std::size_t i = 0; i < device.topics->channels().size(); ++i) {

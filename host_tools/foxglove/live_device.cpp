@@ -117,8 +117,4 @@ bool LiveDevice::take_messages() {
   return is_other_scene;
 }
 
-std::uint64_t LiveDevice::time_ns() const {
-  return newest_ ? static_cast<std::uint64_t>(newest_->loop.scheduled_ns + clock_offset_ns_) : 0;
-}
-
 }  // namespace tactus::host

@@ -40,8 +40,10 @@ class LiveDevice {
   [[nodiscard]] const std::optional<firmware::RecordedTick>& newest() const { return newest_; }
   // Returns the places of the objects that move, if the controller has sent some.
   [[nodiscard]] const std::optional<firmware::ObjectPlaces>& places() const { return places_; }
-  // Returns the time of the newest tick, ns since 1970.
-  [[nodiscard]] std::uint64_t time_ns() const;
+  // Returns a time of the controller's clock as a time since 1970, ns.
+  [[nodiscard]] std::uint64_t time_of(std::int64_t clock_ns) const {
+    return static_cast<std::uint64_t>(clock_ns + clock_offset_ns_);
+  }
   // Returns true while the controller is there.
   [[nodiscard]] bool is_there() const { return reader_.has_value(); }
   // Returns the descriptor that a poll waits for; -1 without a controller.

@@ -42,7 +42,7 @@ const Json* list_of(const Json& json, const char* name) {
 std::expected<FoxgloveRequest, std::string> parse_subscribe(const Json& json) {
   const Json* const list = list_of(json, "subscriptions");
   if (list == nullptr) {
-    return std::unexpected("subscribe needs a list \"subscriptions\"");
+    return std::unexpected(R"(subscribe needs a list "subscriptions")");
   }
   FoxgloveSubscribe request;
   for (const Json& one : *list) {
@@ -51,7 +51,7 @@ std::expected<FoxgloveRequest, std::string> parse_subscribe(const Json& json) {
     const auto id_number = id == nullptr ? std::nullopt : number_in(*id);
     const auto channel_number = channel == nullptr ? std::nullopt : number_in(*channel);
     if (!id_number || !channel_number) {
-      return std::unexpected("a subscription needs the numbers \"id\" and \"channelId\"");
+      return std::unexpected(R"(a subscription needs the numbers "id" and "channelId")");
     }
     request.subscriptions.push_back({.id = *id_number, .channel = *channel_number});
   }
@@ -61,13 +61,13 @@ std::expected<FoxgloveRequest, std::string> parse_subscribe(const Json& json) {
 std::expected<FoxgloveRequest, std::string> parse_unsubscribe(const Json& json) {
   const Json* const list = list_of(json, "subscriptionIds");
   if (list == nullptr) {
-    return std::unexpected("unsubscribe needs a list \"subscriptionIds\"");
+    return std::unexpected(R"(unsubscribe needs a list "subscriptionIds")");
   }
   FoxgloveUnsubscribe request;
   for (const Json& one : *list) {
     const auto id = number_in(one);
     if (!id) {
-      return std::unexpected("\"subscriptionIds\" has an entry that is no number");
+      return std::unexpected(R"("subscriptionIds" has an entry that is no number)");
     }
     request.ids.push_back(*id);
   }
@@ -92,7 +92,7 @@ std::expected<FoxgloveRequest, std::string> parse_foxglove_request(std::string_v
   }
   const Json* const op = member_of(json, "op");
   if (op == nullptr || !op->is_string()) {
-    return std::unexpected("the text has no word \"op\"");
+    return std::unexpected(R"(the text has no word "op")");
   }
   std::string name = op->get<std::string>();
   if (name == "subscribe") {

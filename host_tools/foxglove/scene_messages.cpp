@@ -124,8 +124,8 @@ std::string empty_scene_message(std::uint64_t time_ns) {
   return deletion_of_all(time_ns) + "]}";
 }
 
-std::string frames_message(const rendering::SceneImage* scene,
-                           std::span<const firmware::ObjectPlace> places, std::uint64_t time_ns) {
+std::string frames_message(const rendering::SceneImage* scene, const TimedPlaces& timed,
+                           std::uint64_t time_ns) {
   std::string text = R"({"transforms":[)";
   text += transform_json(kUprightFrame, kWorldFrame, {}, kUprightRotation, time_ns);
   const std::size_t objects = scene == nullptr ? 0 : scene->objects().size();
@@ -133,11 +133,12 @@ std::string frames_message(const rendering::SceneImage* scene,
     if (!scene->objects()[i].moves) {
       continue;
     }
-    const auto place = std::ranges::find(places, i, &firmware::ObjectPlace::object);
-    const firmware::ObjectPlace shown = place == places.end() ? firmware::ObjectPlace{} : *place;
+    const auto place = std::ranges::find(timed.places, i, &firmware::ObjectPlace::object);
+    const bool is_known = place != timed.places.end();
+    const firmware::ObjectPlace shown = is_known ? *place : firmware::ObjectPlace{};
     text += ',';
     text += transform_json(kWorldFrame, object_frame(*scene, i), shown.origin_W, shown.rotation_W,
-                           time_ns);
+                           is_known ? timed.time_ns : time_ns);
   }
   text += "]}";
   return text;

@@ -21,9 +21,16 @@ std::string scene_message(const rendering::SceneImage& scene, std::uint64_t time
 // Returns a SceneUpdate that removes every object.
 std::string empty_scene_message(std::uint64_t time_ns);
 
-// Returns FrameTransforms from the upright frame to the world, and from there to each object that
-// moves. An object without a place in `places` is where the scene puts it.
-std::string frames_message(const rendering::SceneImage* scene,
-                           std::span<const firmware::ObjectPlace> places, std::uint64_t time_ns);
+// The places of the objects that move, and their time.
+struct TimedPlaces {
+  std::uint64_t time_ns = 0;
+  std::span<const firmware::ObjectPlace> places;
+};
+
+// Returns FrameTransforms from the upright frame to the world at `time_ns`, and from there to each
+// object that moves, at the time of the places. An object without a place is where the scene puts
+// it.
+std::string frames_message(const rendering::SceneImage* scene, const TimedPlaces& timed,
+                           std::uint64_t time_ns);
 
 }  // namespace tactus::host

@@ -55,7 +55,7 @@ std::string_view text_in(const void* in, std::size_t size) {
 // The server's state, which the library's callback reaches.
 class FoxgloveServer::Parts {
  public:
-  explicit Parts(const FoxgloveServerOptions& options) : options_(options) {
+  explicit Parts(FoxgloveServerOptions options) : options_(std::move(options)) {
     keep_library_silent();
     in_addr any{};
     if (inet_pton(AF_INET, options_.address.c_str(), &any) != 1) {

@@ -68,12 +68,15 @@ TEST_F(SceneMessages, WhatMovesHasAFrameOfItsOwnAtItsPlace) {
   const rendering::SceneImage& scene = example("paddle");
   const std::array<firmware::ObjectPlace, 1> places = {
       {{.object = 1, .origin_W = {0.1, 0.2, 0.3}, .rotation_W = {0.6, 0.0, 0.8, 0.0}}}};
-  const json frames = json::parse(frames_message(&scene, places, kNow_ns))["transforms"];
+  const json frames =
+      json::parse(frames_message(&scene, {.time_ns = 4, .places = places}, kNow_ns))["transforms"];
   ASSERT_EQ(frames.size(), 3U);
   EXPECT_EQ(frames[0]["parent_frame_id"], "map");
   EXPECT_EQ(frames[0]["child_frame_id"], "W");
   EXPECT_EQ(frames[1]["child_frame_id"], object_frame(scene, 0));
   EXPECT_EQ(frames[1]["translation"], json({{"x", 0}, {"y", 0}, {"z", 0}}));
+  EXPECT_EQ(frames[1]["timestamp"]["nsec"], 7);
+  EXPECT_EQ(frames[2]["timestamp"]["nsec"], 4);
   EXPECT_EQ(frames[2]["parent_frame_id"], "W");
   EXPECT_EQ(frames[2]["child_frame_id"], object_frame(scene, 1));
   EXPECT_EQ(frames[2]["translation"], json({{"x", 0.1}, {"y", 0.2}, {"z", 0.3}}));

@@ -116,22 +116,36 @@ function checkAgainstWatch(viewer, lines) {
   assert.ok(forced > 0, "the gem pushed in no tick");
 }
 
-const seconds = ({ sec, nsec }) => sec + nsec * 1e-9;
+const nanoseconds = ({ sec, nsec }) => BigInt(sec) * 1_000_000_000n + BigInt(nsec);
 const frame = (message, name) =>
   message.transforms.find(({ child_frame_id: child }) => child === name);
 
-// The box turns by half a radian a second, the cube comes to rest on the table, and the world's y
+// Returns the tick of each time since 1970, from the lines of `tactus watch` and a tick that the
+// viewer has, too.
+function ticksByTime(viewer, lines) {
+  const clock = lines.map((line) => line.match(/^tick=(\d+) .* scheduled_ns=(\d+)/))
+    .map(([, tick, time]) => [Number(tick), BigInt(time)]);
+  const due = new Map(clock);
+  const { time, data: { tick } } = viewer.of("/state").find(({ data }) => due.has(data.tick));
+  const offset = time - due.get(tick);
+  return new Map(clock.map(([number, clockTime]) => [clockTime + offset, number]));
+}
+
+// The box turns by half a milliradian a tick, the cube comes to rest on the table, and the world's y
 // is the z of the frame that Foxglove shows upright.
-function checkFrames(viewer) {
-  const messages = viewer.of("/tf").map(({ data }) => data)
-    .filter((message) => frame(message, "object/1").rotation.z !== 0);
-  assert.ok(messages.length > 20);
-  const angle = ({ rotation: { z, w } }) => 2 * Math.atan2(z, w);
-  const [first, last] = [messages[0], messages.at(-1)].map((message) => frame(message, "object/1"));
-  const turned = angle(last) - angle(first);
-  const spun = 0.5 * (seconds(last.timestamp) - seconds(first.timestamp));
-  // The places are some milliseconds older than the time of the message.
-  assert.ok(Math.abs(turned - spun) < 0.02, `${turned} rad, and not ${spun}`);
+function checkFrames(viewer, lines) {
+  const ticks = ticksByTime(viewer, lines);
+  const messages = viewer.of("/tf").map(({ data }) => data);
+  const turns = messages.map((message) => frame(message, "object/1"))
+    .map(({ timestamp, rotation: { z, w } }) =>
+      ({ tick: ticks.get(nanoseconds(timestamp)), angle: 2 * Math.atan2(z, w) }))
+    // Nothing moves before the device is homed.
+    .filter(({ tick, angle }) => tick !== undefined && angle !== 0);
+  assert.ok(turns.length > 20, `only ${turns.length} places were seen by both`);
+  for (const { tick, angle } of turns) {
+    const spun = 0.0005 * (tick - turns[0].tick);
+    assert.ok(Math.abs(angle - turns[0].angle - spun) < 1e-7, `${angle} rad at tick ${tick}`);
+  }
 
   const cube = frame(messages.at(-1), "object/3").translation;
   // Its frame is that of the scene, in which its middle is at y = 0.05 m; on the table it is half an
@@ -159,7 +173,7 @@ async function checkOtherScene(viewer) {
   assert.equal(deletions[0].type, 1);
   assert.equal(entities.length, 1);
   assert.equal(entities[0].metadata[0].value, "ball");
-  assert.ok(seconds(entities[0].timestamp) >= seconds(deletions[0].timestamp));
+  assert.ok(nanoseconds(entities[0].timestamp) > nanoseconds(deletions[0].timestamp));
 }
 
 function serve() {
@@ -194,7 +208,7 @@ async function main() {
 
   const watched = [];
   const watch = start(tactus, ["watch", "--fields",
-    "tick,mode,faults,limits,contact,tool,proxy,force"], options);
+    "tick,mode,faults,limits,contact,tool,proxy,force,scheduled_ns"], options);
   watch.lines((line) => watched.push(line));
   const viewer = new Viewer(port);
   const isPushed = ({ data }) => data.force_y_N > 0.5;
@@ -205,8 +219,9 @@ async function main() {
   checkChannels(viewer);
   checkSchemas(viewer);
   await checkMesh(viewer);
-  checkAgainstWatch(viewer, watched.filter((line) => line.startsWith("tick=")));
-  checkFrames(viewer);
+  const ticks = watched.filter((line) => line.startsWith("tick="));
+  checkAgainstWatch(viewer, ticks);
+  checkFrames(viewer, ticks);
   await checkHostileClients(port, viewer);
   await checkOtherScene(viewer);
   simulation = await checkNewController(viewer, simulation);
