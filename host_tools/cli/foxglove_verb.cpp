@@ -72,8 +72,10 @@ void add_foxglove_verb(CLI::App& app) {
   FoxgloveServerOptions& server = options->serve.server;
   verb->add_option("--address", server.address,
                    "IPv4 address of this machine on which to serve; 0.0.0.0: all of its networks")
+      ->check(CLI::ValidIPV4)
       ->capture_default_str();
   verb->add_option("--port", server.port, "Port; 0: one that is free, which is then printed")
+      ->check(CLI::Range(0, 65535))
       ->capture_default_str();
   verb->add_option("--rate-hz", options->serve.rate_Hz, "Messages of each topic a second")
       ->check(CLI::Range(kLeastFoxgloveRate_Hz, kMostFoxgloveRate_Hz))

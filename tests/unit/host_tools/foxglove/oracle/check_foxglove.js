@@ -193,6 +193,28 @@ async function checkNewController(viewer, simulation) {
   return another;
 }
 
+// Starts the server, and returns it with its port.
+async function serveFoxglove() {
+  const foxglove = start(tactus, ["foxglove", "--port", "0"], options);
+  const port = Number((await foxglove.line(/ws:\/\/127\.0\.0\.1:(\d+)/))[1]);
+  return { foxglove, port };
+}
+
+// The devices of one controller have topics of their own, and one scene.
+async function checkSeveralDevices() {
+  const simulation = start(tactus, ["sim", "other_scene.tactus", "--device", "cartesian", "--device",
+    "falcon", "--path", "wish.csv", "--path", "wish.csv", "--serve"], options);
+  await simulation.line(/serving in/);
+  const { foxglove, port } = await serveFoxglove();
+  const viewer = new Viewer(port);
+  await until(() => viewer.of("/falcon/joints").length > 0 && viewer.of("/scene").length > 0);
+  const own = Object.keys(kTopics).filter((topic) => !["/scene", "/tf"].includes(topic));
+  const expected = ["cartesian", "falcon"].flatMap((name) => own.map((topic) => `/${name}${topic}`));
+  assert.deepEqual([...viewer.channels.keys()], ["/scene", "/tf", ...expected]);
+  assert.equal(await foxglove.end(), 0);
+  await simulation.end();
+}
+
 async function main() {
   await Promise.all(["scene.toml", "other_scene.toml", "wish.csv"].map(
     (name) => copyFile(join(here, name), join(folder, name))));
@@ -201,8 +223,7 @@ async function main() {
   await bake("other_scene");
   let simulation = serve();
   await simulation.line(/serving in/);
-  const foxglove = start(tactus, ["foxglove", "--port", "0"], options);
-  const port = Number((await foxglove.line(/ws:\/\/127\.0\.0\.1:(\d+)/))[1]);
+  const { foxglove, port } = await serveFoxglove();
   await run(tactus, ["home", "--wait"], options);
   await run(tactus, ["enable"], options);
 
@@ -231,6 +252,7 @@ async function main() {
   assert.equal(await foxglove.end(), 0);
   await until(() => viewer.closeCode !== undefined);
   await simulation.end();
+  await checkSeveralDevices();
   console.log(`${viewer.of("/state").length} messages of each topic are as they should be`);
 }
 
