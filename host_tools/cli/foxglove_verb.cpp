@@ -54,9 +54,8 @@ void run_foxglove(const FoxgloveVerbOptions& options) {
                     FoxgloveOptions serve = options.serve;
                     serve.first_folder =
                         is_line ? folder : std::filesystem::path(options.run.run_dir);
-                    serve.devices = devices_in(serve.first_folder);
-                    if (options.is_one_device || serve.devices.empty()) {
-                      serve.devices = {{.name = {}, .folder = folder}};
+                    if (options.is_one_device) {
+                      serve.only_folder = folder;
                     }
                     serve_foxglove(serve, [line] { return line != nullptr && line->has_failed(); });
                   });

@@ -6,8 +6,6 @@
 #include <utility>
 #include <variant>
 
-#include "host_tools/foxglove/server.h"
-
 namespace tactus::host {
 namespace {
 

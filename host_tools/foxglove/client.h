@@ -15,6 +15,10 @@
 
 namespace tactus::host {
 
+// The limits of a client. One that asks for more is refused that, or dropped.
+inline constexpr std::size_t kMaxFoxgloveRequestBytes = std::size_t{64} << 10U;
+inline constexpr std::size_t kMaxFoxgloveSubscriptions = 256;
+
 // The newest message of a channel. `number` counts its messages; 0: there is none yet.
 struct FoxgloveNewest {
   std::uint64_t number = 0;

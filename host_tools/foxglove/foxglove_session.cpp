@@ -14,7 +14,9 @@
 #include <span>
 #include <string>
 #include <utility>
+#include <vector>
 
+#include "host_tools/foxglove/live_device.h"
 #include "host_tools/foxglove/scene_messages.h"
 #include "host_tools/foxglove/schemas.h"
 #include "host_tools/foxglove/served_scene.h"
@@ -53,14 +55,28 @@ struct ShownDevice {
   std::size_t first_channel = 0;
 };
 
+// Returns the places of the devices that are shown. Where no device is there, the first one's: an
+// attempt to reach it says why.
+std::vector<DevicePlace> places_of(const FoxgloveOptions& options) {
+  if (!options.only_folder.empty()) {
+    return {{.name = {}, .folder = options.only_folder}};
+  }
+  std::vector<DevicePlace> places = devices_in(options.first_folder);
+  if (places.empty()) {
+    places.push_back({.name = {}, .folder = options.first_folder});
+  }
+  return places;
+}
+
 class FoxgloveSession {
  public:
   explicit FoxgloveSession(const FoxgloveOptions& options)
       : first_folder_(options.first_folder),
         period_(std::chrono::duration_cast<steady_clock::duration>(
             std::chrono::duration<double>(1.0 / options.rate_Hz))) {
-    devices_.reserve(options.devices.size());
-    for (const DevicePlace& place : options.devices) {
+    const std::vector<DevicePlace> places = places_of(options);
+    devices_.reserve(places.size());
+    for (const DevicePlace& place : places) {
       devices_.push_back({.live = LiveDevice(place)});
     }
     server_ = std::make_unique<FoxgloveServer>(options.server);

@@ -4,9 +4,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
-#include <vector>
 
-#include "host_tools/foxglove/live_device.h"
 #include "host_tools/foxglove/server.h"
 
 namespace tactus::host {
@@ -19,10 +17,10 @@ struct FoxgloveOptions {
   FoxgloveServerOptions server;
   // The messages of each topic a second.
   double rate_Hz = 60.0;
-  // The devices that are shown, at least one.
-  std::vector<DevicePlace> devices;
   // The folder of the controller's first device, which knows the scene.
   std::filesystem::path first_folder;
+  // The folder of the device that is shown; empty: all devices of the controller are.
+  std::filesystem::path only_folder;
 };
 
 // Serves until SIGINT, SIGTERM or SIGHUP, or until `is_over` says that the controller will not come

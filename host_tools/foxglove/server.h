@@ -27,15 +27,12 @@ struct FoxgloveServerOptions {
   std::string name = "tactus";
 };
 
-// The limits of clients. Beyond them a client is refused or dropped.
+// One client more is refused.
 inline constexpr std::size_t kMaxFoxgloveClients = 8;
-inline constexpr std::size_t kMaxFoxgloveRequestBytes = std::size_t{64} << 10U;
-inline constexpr std::size_t kMaxFoxgloveSubscriptions = 256;
 
 class FoxgloveServer {
  public:
-  // Listens. Throws InputError if the address or the port cannot be used, or if this program was
-  // built without the library for it.
+  // Listens. Throws InputError if the address or the port cannot be used.
   explicit FoxgloveServer(const FoxgloveServerOptions& options);
   FoxgloveServer(const FoxgloveServer&) = delete;
   FoxgloveServer& operator=(const FoxgloveServer&) = delete;

@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "host_tools/foxglove/client.h"
-#include "host_tools/foxglove/server.h"
 
 namespace tactus::host {
 namespace {
