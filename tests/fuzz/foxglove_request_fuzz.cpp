@@ -9,30 +9,44 @@
 #include "host_tools/foxglove/client.h"
 #include "tests/fuzz/fuzz_input.h"
 
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  using namespace tactus;
-  constexpr std::uint32_t kChannels = 3;
+namespace tactus {
+namespace {
+
+constexpr std::uint32_t kChannels = 3;
+
+// Takes every turn that a client has.
+void check_turns(host::FoxgloveClient& client) {
   std::array<host::FoxgloveNewest, kChannels> newest;
   for (host::FoxgloveNewest& message : newest) {
     message.number = 1;
   }
-  // A zero byte parts one message from the next.
-  std::string bytes(data, data + size);
-  host::FoxgloveClient client;
-  while (!bytes.empty()) {
-    const std::size_t end = bytes.find('\0');
-    const std::string message = bytes.substr(0, end);
-    bytes.erase(0, end == std::string::npos ? end : end + 1);
-    if (client.hear(message, false, kChannels)) {
-      return 0;
-    }
-    while (const auto turn = client.take_turn(newest)) {
-      fuzz::require(turn->channel >= 1 && turn->channel <= kChannels, "a channel is there");
-      fuzz::require(client.wants(turn->channel), "a turn is of a subscription");
-    }
+  while (const auto turn = client.take_turn(newest)) {
+    fuzz::require(turn->channel >= 1 && turn->channel <= kChannels, "a channel is there");
+    fuzz::require(client.wants(turn->channel), "a turn is of a subscription");
   }
+}
+
+void check_answers(host::FoxgloveClient& client) {
   while (const auto text = client.take_text()) {
     fuzz::require(nlohmann::json::accept(*text), "an answer is JSON");
   }
+}
+
+}  // namespace
+}  // namespace tactus
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  tactus::host::FoxgloveClient client;
+  // A zero byte parts one message from the next.
+  std::string bytes(data, data + size);
+  while (!bytes.empty()) {
+    const std::size_t end = bytes.find('\0');
+    if (client.hear(bytes.substr(0, end), false, tactus::kChannels)) {
+      break;
+    }
+    bytes.erase(0, end == std::string::npos ? end : end + 1);
+    tactus::check_turns(client);
+  }
+  tactus::check_answers(client);
   return 0;
 }
