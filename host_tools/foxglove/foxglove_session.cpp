@@ -36,6 +36,8 @@ enum SceneChannel : std::size_t { kSceneChannel, kFramesChannel, kSceneChannels 
 constexpr auto kTurn = 5ms;
 // A controller sends its ticks from the beginning on.
 constexpr auto kFirstTick = 5s;
+// While there is no scene to show, the controller is asked for one so often.
+constexpr auto kBetweenQuestions = 1s;
 
 // Written by a signal, read by the loop.
 volatile std::sig_atomic_t foxglove_is_to_end = 0;
@@ -130,21 +132,25 @@ class FoxgloveSession {
     for (ShownDevice& device : devices_) {
       is_other_scene = device.live.take_messages() || is_other_scene;
     }
-    if (is_other_scene) {
-      find_scene();
-    }
     const bool are_there = std::ranges::all_of(
         devices_, [](const ShownDevice& device) { return device.live.is_there(); });
+    // A controller that starts may not answer commands yet when its ticks come.
+    const bool tries_again = are_there && !trouble_.empty() && steady_clock::now() >= ask_again_;
+    if (is_other_scene || tries_again) {
+      find_scene();
+    }
     server_->set_status(FoxgloveLevel::warning,
                         are_there ? trouble_ : "the controller has ended; waiting for another");
   }
 
   void find_scene() {
-    trouble_ = scene_.find(first_folder_);
-    if (!trouble_.empty()) {
+    ask_again_ = steady_clock::now() + kBetweenQuestions;
+    const std::string before = std::exchange(trouble_, scene_.find(first_folder_));
+    const bool is_known_trouble = !trouble_.empty() && trouble_ == before;
+    if (!trouble_.empty() && !is_known_trouble) {
       fmt::print(stderr, "tactus foxglove: {}\n", trouble_);
     }
-    is_new_scene_ = true;
+    is_new_scene_ = is_new_scene_ || !is_known_trouble;
   }
 
   // Makes the channels where the devices have others than before.
@@ -233,6 +239,7 @@ class FoxgloveSession {
   bool is_new_scene_ = true;
   // Why there is no scene; empty if there is one.
   std::string trouble_;
+  steady_clock::time_point ask_again_;
   std::unique_ptr<FoxgloveServer> server_;
   steady_clock::time_point next_;
 };

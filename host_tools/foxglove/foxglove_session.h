@@ -9,9 +9,9 @@
 
 namespace tactus::host {
 
-// The range of rates: messages of a topic a second.
+// The range of rates: messages of a topic a second. The live socket brings ticks as often as that.
 inline constexpr double kLeastFoxgloveRate_Hz = 0.1;
-inline constexpr double kMostFoxgloveRate_Hz = 1000.0;
+inline constexpr double kMostFoxgloveRate_Hz = 200.0;
 
 struct FoxgloveOptions {
   FoxgloveServerOptions server;

@@ -78,13 +78,17 @@ async function checkRefusals(port) {
   assert.equal((await statusAfter(port, twice)).level, kError);
 }
 
-// A client of another protocol, or of none, is not let in.
+// A client of another protocol, or of none, is not let in; one that knows several gets ours.
 async function checkOtherProtocols(port) {
   for (const protocols of [["chat"], []]) {
     const socket = connect(port, protocols);
     await closeOf(socket);
     assert.equal(socket.protocol, "");
   }
+  const several = connect(port, ["foxglove.sdk.v1", kProtocol]);
+  await once(several, "open");
+  assert.equal(several.protocol, kProtocol);
+  several.terminate();
   assert.equal((await fetch(`http://127.0.0.1:${port}/`)).status, 404);
 }
 
