@@ -1,6 +1,5 @@
 #include "host_tools/foxglove/server.h"
 
-#include <arpa/inet.h>
 #include <fmt/format.h>
 #include <libwebsockets.h>
 
@@ -13,37 +12,13 @@
 #include <utility>
 
 #include "host_tools/foxglove/client.h"
-#include "host_tools/input_error.h"
+#include "host_tools/foxglove/websocket_library.h"
 
 namespace tactus::host {
 namespace {
 
 // The id of the text of set_status.
 constexpr std::string_view kStatusId = "controller";
-
-// The library reports what it does on stderr; its errors are reported by this program.
-void keep_library_silent() {
-  lws_set_log_level(0, nullptr);
-}
-
-// A client that does not answer for so long has gone, or is stuck.
-constexpr lws_retry_bo_t patience() {
-  lws_retry_bo_t times{};
-  times.secs_since_valid_ping = 10;
-  times.secs_since_valid_hangup = 30;
-  return times;
-}
-constexpr lws_retry_bo_t kClientPatience = patience();
-
-// Ends a connection after this call, with a reason of at most 123 bytes.
-int close_client(lws* connection, lws_close_status status, std::string_view why) {
-  constexpr std::size_t kMostBytes = 123;
-  std::array<unsigned char, kMostBytes> bytes{};
-  const std::size_t size = std::min(why.size(), kMostBytes);
-  std::copy_n(why.begin(), size, bytes.begin());
-  lws_close_reason(connection, status, bytes.data(), size);
-  return -1;
-}
 
 // Returns the text in what the library gives a callback.
 std::string_view text_in(const void* in, std::size_t size) {
@@ -55,38 +30,11 @@ std::string_view text_in(const void* in, std::size_t size) {
 // The server's state, which the library's callback reaches.
 class FoxgloveServer::Parts {
  public:
-  explicit Parts(FoxgloveServerOptions options) : options_(std::move(options)) {
-    keep_library_silent();
-    in_addr any{};
-    if (inet_pton(AF_INET, options_.address.c_str(), &any) != 1) {
-      throw InputError(fmt::format(
-          "--address {}: that is no IPv4 address; 127.0.0.1 is this machine, 0.0.0.0 all of its "
-          "networks",
-          options_.address));
-    }
-    lws_context_creation_info info{};
-    info.port = options_.port;
-    info.iface = options_.address.c_str();
-    info.protocols = protocols_.data();
-    info.user = this;
-    info.retry_and_idle_policy = &kClientPatience;
-    info.fd_limit_per_thread = kMostConnections;
-    info.timeout_secs = kHandshake_s;
-    info.options = LWS_SERVER_OPTION_FAIL_UPON_UNABLE_TO_BIND | LWS_SERVER_OPTION_DISABLE_IPV6;
-    context_.reset(lws_create_context(&info));
-    if (context_ == nullptr) {
-      throw InputError(
-          fmt::format("{}:{} cannot be used: another program has the port, or this machine has no "
-                      "such address; --port 0 finds a free one",
-                      options_.address, options_.port));
-    }
-  }
+  explicit Parts(FoxgloveServerOptions options)
+      : options_(std::move(options)),
+        context_(listen_for_clients(options_, protocols_.data(), this)) {}
 
-  [[nodiscard]] std::uint16_t port() const {
-    lws_vhost* const vhost = lws_get_vhost_by_name(context_.get(), "default");
-    return vhost == nullptr ? options_.port
-                            : static_cast<std::uint16_t>(lws_get_vhost_listen_port(vhost));
-  }
+  [[nodiscard]] std::uint16_t port() const { return port_of(context_); }
 
   void set_channels(std::vector<FoxgloveChannel> channels) {
     channels_ = std::move(channels);
@@ -147,9 +95,6 @@ class FoxgloveServer::Parts {
     bool is_of_before = false;
   };
 
-  // The connections at once, among them those that are no clients yet.
-  static constexpr unsigned kMostConnections = 64;
-  static constexpr unsigned kHandshake_s = 5;
   // The bytes of one call. A mesh goes out in pieces, between which the other clients have theirs.
   static constexpr std::size_t kReceivedAtOnce = std::size_t{4} << 10U;
   static constexpr std::size_t kSentAtOnce = std::size_t{512} << 10U;
@@ -209,8 +154,8 @@ class FoxgloveServer::Parts {
     }
     FoxgloveClient& client = found->second.client;
     if (!client.collect(part)) {
-      return close_client(connection, LWS_CLOSE_STATUS_MESSAGE_TOO_LARGE,
-                          "the message is too long");
+      return end_connection(connection, LWS_CLOSE_STATUS_MESSAGE_TOO_LARGE,
+                            "the message is too long");
     }
     if (lws_is_final_fragment(connection) == 0 || lws_remaining_packet_payload(connection) > 0) {
       return 0;
@@ -218,7 +163,7 @@ class FoxgloveServer::Parts {
     const bool is_binary = lws_frame_is_binary(connection) != 0;
     const auto why = client.hear(client.take_message(), is_binary, channels_.size());
     if (why) {
-      return close_client(connection, LWS_CLOSE_STATUS_POLICY_VIOLATION, *why);
+      return end_connection(connection, LWS_CLOSE_STATUS_POLICY_VIOLATION, *why);
     }
     lws_callback_on_writable(connection);
     return 0;
@@ -232,7 +177,8 @@ class FoxgloveServer::Parts {
     }
     Place& place = found->second;
     if (place.is_of_before) {
-      return close_client(connection, kServiceRestart, "the channels have changed: connect again");
+      return end_connection(connection, kServiceRestart,
+                            "the channels have changed: connect again");
     }
     bytes_.assign(LWS_PRE, 0);
     if (const auto text = place.client.take_text()) {
@@ -291,10 +237,7 @@ class FoxgloveServer::Parts {
   std::int64_t started_ = std::chrono::system_clock::now().time_since_epoch().count();
   std::uint64_t session_ = 0;
   // Its end calls on_event, which uses the members above.
-  struct ContextDeleter {
-    void operator()(lws_context* context) const { lws_context_destroy(context); }
-  };
-  std::unique_ptr<lws_context, ContextDeleter> context_;
+  WebSocketContext context_;
 };
 
 FoxgloveServer::FoxgloveServer(const FoxgloveServerOptions& options)

@@ -200,6 +200,20 @@ async function serveFoxglove() {
   return { foxglove, port };
 }
 
+// What cannot be served ends with 2 and a line that says what, and what to do.
+async function checkRefusals(port) {
+  for (const [words, says] of [
+    [["--port", `${port}`], /another program has the port.*--port 0 finds a free one/],
+    [["--address", "nonsense"], /--address.*nonsense/],
+    [["--rate-hz", "0"], /--rate-hz: Value 0 not in range/],
+    [["--run-dir", folder], /nobody answers there: is tactusd running/],
+    [["--device", "no_such_device"], /no device is named "no_such_device"/]]) {
+    const refused = start(tactus, ["foxglove", ...words], options);
+    await refused.line(says);
+    assert.equal((await refused.ended)[0], 2);
+  }
+}
+
 // The devices of one controller have topics of their own, and one scene.
 async function checkSeveralDevices() {
   const simulation = start(tactus, ["sim", "other_scene.tactus", "--device", "cartesian", "--device",
@@ -244,6 +258,7 @@ async function main() {
   checkAgainstWatch(viewer, ticks);
   checkFrames(viewer, ticks);
   await checkHostileClients(port, viewer);
+  await checkRefusals(port);
   await checkOtherScene(viewer);
   simulation = await checkNewController(viewer, simulation);
   checkSchemas(viewer);
