@@ -12,6 +12,7 @@
 #include <type_traits>
 
 #include "firmware/telemetry/explanation.h"
+#include "firmware/telemetry/object_places.h"
 #include "firmware/telemetry/recorded_tick.h"
 #include "firmware/telemetry/telemetry_event.h"
 
@@ -84,5 +85,7 @@ using RecordRing = Ring<RecordedTick, 4096>;
 using EventRing = Ring<TelemetryEvent, 256>;
 // The ring of explanations, which a disk may delay but not a reader.
 using ExplanationRing = Ring<Explanation, 1024>;
+// The ring of places, of which displays miss a few without harm.
+using PlacesRing = Ring<ObjectPlaces, 16>;
 
 }  // namespace tactus::firmware

@@ -42,12 +42,12 @@ struct LinuxUsbConfig {
 // Transfers are allocated in `open`, and this class allocates nothing afterwards. libusb itself
 // allocates 56 bytes for each submission and frees them at its completion. The class waits by ppoll
 // on libusb's descriptors, because libusb's own waits round to milliseconds.
-// NOLINTNEXTLINE(performance-trivially-destructible): that is so in absent/ alone
 class LinuxUsbEndpoint final : public UsbEndpoint {
  public:
   LinuxUsbEndpoint() = default;
   LinuxUsbEndpoint(const LinuxUsbEndpoint&) = delete;
   LinuxUsbEndpoint& operator=(const LinuxUsbEndpoint&) = delete;
+  // NOLINTNEXTLINE(performance-trivially-destructible): it is so in absent/ alone
   ~LinuxUsbEndpoint();
 
   // Opens the device and detaches a kernel driver from the interface meanwhile. Call once; not real

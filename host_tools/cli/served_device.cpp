@@ -65,6 +65,7 @@ void ServedTelemetry::publish(firmware::Controller& controller, const hal::Wake&
   recorded.torque_Nm = recorded.record.joint_effort;
   writer_->publish(recorded);
   explanations_.after_tick(controller, wake.scheduled_ns, *writer_);
+  places_.after_tick(controller, wake.scheduled_ns, *writer_);
 }
 
 void ServedTelemetry::stop() {

@@ -15,6 +15,7 @@
 #include "firmware/linux/commands/scene_store.h"
 #include "firmware/linux/commands/telemetry_hooks.h"
 #include "firmware/linux/telemetry/explanation_source.h"
+#include "firmware/linux/telemetry/places_source.h"
 #include "firmware/linux/telemetry/telemetry_writer.h"
 #include "hal/clock.h"
 #include "host_tools/cli/serve_simulation.h"
@@ -61,6 +62,7 @@ class ServedTelemetry {
   std::unique_ptr<firmware::TelemetryWriter> writer_ =
       std::make_unique<firmware::TelemetryWriter>();
   firmware::ExplanationSource explanations_;
+  firmware::PlacesSource places_;
   firmware::TelemetrySinks sinks_{.writer = writer_.get()};
 };
 

@@ -8,6 +8,7 @@
 
 #include "firmware/telemetry/recorded_tick.h"
 #include "firmware/telemetry/telemetry_event.h"
+#include "host_tools/monitor/tick_words.h"
 
 namespace tactus::host {
 
@@ -35,6 +36,8 @@ class WatchLines {
   std::vector<std::string> names_;
   // The columns that are printed, as indices into `names_`.
   std::vector<std::size_t> columns_;
+  // The texts of all columns of the newest tick.
+  std::vector<TickWord> words_;
 };
 
 }  // namespace tactus::host

@@ -32,6 +32,9 @@ std::optional<LiveMessage> decode(std::span<const std::byte> message) {
   if (const auto explanation = decode_explanation(message)) {
     return *explanation;
   }
+  if (const auto places = decode_object_places(message)) {
+    return *places;
+  }
   if (auto info = decode_run_info(message)) {
     return *std::move(info);
   }
@@ -61,6 +64,10 @@ LiveReader::LiveReader(const std::string& socket)
 void LiveReader::ask_for_explanations(bool wanted) {
   const std::byte asked = wanted ? firmware::kWantExplanations : firmware::kWantNoExplanations;
   (void)send(socket_.get(), &asked, 1, MSG_NOSIGNAL | MSG_DONTWAIT);
+}
+
+void LiveReader::ask_for_places() {
+  (void)send(socket_.get(), &firmware::kWantPlaces, 1, MSG_NOSIGNAL | MSG_DONTWAIT);
 }
 
 std::optional<LiveMessage> LiveReader::next(std::chrono::milliseconds patience) {

@@ -21,8 +21,8 @@ inline constexpr const char* kLiveSocketFile = "telemetry.sock";
 
 // A message of the live socket. The information about the run comes first, for every reader that
 // connects.
-using LiveMessage =
-    std::variant<RunInfo, firmware::RecordedTick, firmware::TelemetryEvent, firmware::Explanation>;
+using LiveMessage = std::variant<RunInfo, firmware::RecordedTick, firmware::TelemetryEvent,
+                                 firmware::Explanation, firmware::ObjectPlaces>;
 
 // A connection to one live socket, with the bytes that have not made a whole message yet.
 class LiveReader {
@@ -34,6 +34,8 @@ class LiveReader {
   // Asks for explanations, which come from one of the next ticks on, or for no more of them. A
   // controller of an older version sends none; one that has ended is no error here.
   void ask_for_explanations(bool wanted);
+  // Asks for the places of the objects that move, if the scene has any. A board sends none.
+  void ask_for_places();
 
   // Returns the next message, and waits for it no longer than `patience`. Returns nothing if none
   // came or the run has ended. The sender drops messages for a reader that is too slow: a gap shows

@@ -5,6 +5,7 @@
 
 #include "firmware/telemetry/event_generated.h"
 #include "firmware/telemetry/explanation_generated.h"
+#include "firmware/telemetry/object_places_generated.h"
 #include "firmware/telemetry/record_generated.h"
 #include "firmware/telemetry/run_info_generated.h"
 
@@ -239,6 +240,31 @@ std::optional<firmware::Explanation> decode_explanation(std::span<const std::byt
                           .lag_m = circle->lag_m()};
   }
   return read_planes(stored, explanation) ? std::optional(explanation) : std::nullopt;
+}
+
+std::optional<firmware::ObjectPlaces> decode_object_places(std::span<const std::byte> message) {
+  const AlignedMessage aligned(message);
+  auto verifier = aligned.verifier();
+  if (!telemetry::VerifyObjectPlacesBuffer(verifier)) {
+    return std::nullopt;
+  }
+  const telemetry::ObjectPlaces& stored = *telemetry::GetObjectPlaces(aligned.data());
+  const auto& list = *stored.places();
+  firmware::ObjectPlaces places{
+      .tick = stored.tick(), .time_ns = stored.time_ns(), .count = list.size()};
+  const bool is_aligned =
+      reinterpret_cast<std::uintptr_t>(list.Data()) % alignof(telemetry::ObjectPlace) == 0;
+  if (!is_aligned || list.size() > places.places.size()) {
+    return std::nullopt;
+  }
+  for (std::uint32_t i = 0; i < list.size(); ++i) {
+    const telemetry::ObjectPlace& place = *list.Get(i);
+    const telemetry::Quaternion& q = place.rotation();
+    places.places[i] = {.object = place.object(),
+                        .origin_W = read_triple(place.origin()),
+                        .rotation_W = {q.w(), q.x(), q.y(), q.z()}};
+  }
+  return places;
 }
 
 std::optional<RunInfo> decode_run_info(std::span<const std::byte> message) {

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "firmware/telemetry/explanation.h"
+#include "firmware/telemetry/object_places.h"
 #include "firmware/telemetry/recorded_tick.h"
 #include "firmware/telemetry/telemetry_event.h"
 
@@ -25,6 +26,7 @@ using RunInfo = std::vector<std::pair<std::string, std::string>>;
 std::optional<firmware::RecordedTick> decode_tick(std::span<const std::byte> message);
 std::optional<firmware::TelemetryEvent> decode_event(std::span<const std::byte> message);
 std::optional<firmware::Explanation> decode_explanation(std::span<const std::byte> message);
+std::optional<firmware::ObjectPlaces> decode_object_places(std::span<const std::byte> message);
 std::optional<RunInfo> decode_run_info(std::span<const std::byte> message);
 
 }  // namespace tactus::host

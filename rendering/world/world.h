@@ -185,6 +185,9 @@ class World {
     return slot(tool).touch.needle();
   }
 
+  // Returns the objects that move or deform, at their places in the last touch.
+  [[nodiscard]] std::span<const Mover> movers() const { return scene_.movers(); }
+
   // Returns the body of an object after the last touch, or nullptr.
   [[nodiscard]] const RigidBody* body(std::uint32_t object) const { return bodies_.of(object); }
   // Returns the work that all tools have done on an object's body in the last touch, J.

@@ -14,10 +14,10 @@ fail() { echo "packages: $*" >&2 && exit 1; }
 # The control file is the second list of what a build needs; it says no less and no more than the first.
 build_depends_follow_the_list() {
   local wanted listed
-  wanted="$(toolchains/install-packages.sh --list libraries | cut -d / -f 1 | sort)"
+  wanted="$(toolchains/install-packages.sh --list libraries foxglove | cut -d / -f 1 | sort)"
   listed="$(sed -n '/^Build-Depends:/,/^[A-Z].*:/p' debian/control | grep -oE '[a-z0-9.+-]+-dev\b|nlohmann-json3-dev' | sort)"
   diff <(echo "$wanted") <(echo "$listed") ||
-    fail "Build-Depends in debian/control (right) are not the group [libraries] of toolchains/packages.txt (left)"
+    fail "Build-Depends in debian/control (right) are not the groups [libraries] and [foxglove] of toolchains/packages.txt (left)"
 }
 
 has() { grep -qx "\./$2" < <(dpkg --contents "$packages/$1"_*.deb | awk '{print $6}') || fail "$1 has no $2"; }

@@ -113,6 +113,18 @@ watched() {
   awk '!/^tick=[0-9]+ mode=active/ { exit 1 } { sub(/tick=/, "", $1); in_a_row += NR > 1 && $1 == last + 1; last = $1 } END { exit in_a_row < 400 }' "$work/said"
 }
 check "watch prints ticks in a row" watched
+# The server answers as soon as the first ticks have come; a browser gets no page.
+served() {
+  local serving port answer result=0
+  "$on_board" foxglove --port 0 2>"$work/said" &
+  serving=$!
+  within 20 grep -q 'ws://127.0.0.1:' "$work/said" || result=1
+  port="$(sed -n 's|.*ws://127.0.0.1:\([0-9]*\),.*|\1|p' "$work/said")"
+  answer="$(exec 3<>"/dev/tcp/127.0.0.1/$port" && printf 'GET / HTTP/1.1\r\nHost: localhost\r\n\r\n' >&3 && timeout 20 head -n 1 <&3)" || result=1
+  kill -INT "$serving" && wait "$serving" || result=1
+  [[ "$result" == 0 && "$answer" == 'HTTP/1.1 404 '* ]]
+}
+check "foxglove serves the board" served
 check "record with --serial" says 'run2.mcap: [0-9]+ ticks, [0-9]+ to [0-9]+; no replay' "$on_board" record on "$work/run2.mcap" --seconds 1
 check "estop" says '^ok estop tick=[0-9]+ mode=fault' "$on_board" estop
 check "the stop is an operator's" says 'mode=fault faults=operator_stop' "$on_board" status

@@ -23,6 +23,7 @@ void read_all(std::span<const std::byte> file) {
     }
     static_cast<void>(host::decode_event(message->data));
     static_cast<void>(host::decode_explanation(message->data));
+    static_cast<void>(host::decode_object_places(message->data));
     static_cast<void>(host::decode_run_info(message->data));
   }
 }

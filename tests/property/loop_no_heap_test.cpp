@@ -1,12 +1,14 @@
 // The whole loop never touches the heap: its timing, the controller in contact, the watchdog's
-// line, commands in and telemetry out, with an explanation of every tick. Nor do the threads that
-// stand beside it, which tell, record and write the flight recorder out.
+// line, commands in and telemetry out, with an explanation of every tick and the places of what
+// moves. Nor do the threads that stand beside it, which tell, record and write the flight recorder
+// out.
 #include <gtest/gtest.h>
 #include <sys/socket.h>
 #include <sys/un.h>
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <filesystem>
 #include <string>
@@ -17,6 +19,7 @@
 #include "firmware/linux/tactusd/supervisor.h"
 #include "firmware/linux/telemetry/explanation_source.h"
 #include "firmware/linux/telemetry/live_socket.h"
+#include "firmware/linux/telemetry/places_source.h"
 #include "firmware/linux/telemetry/telemetry_writer.h"
 #include "hal/simulated/gpio_chip.h"
 #include "hal/simulated/gpio_lines.h"
@@ -53,6 +56,7 @@ struct Beside {
   firmware::CommandQueue desk;
   firmware::TelemetryWriter telemetry;
   firmware::ExplanationSource explanations;
+  firmware::PlacesSource places;
   firmware::FlightWriter flight;
 };
 
@@ -88,6 +92,8 @@ class BusyHooks {
     beside_->telemetry.publish(recorded);
     beside_->explanations.after_tick(controller, tick.scheduled_ns, beside_->telemetry);
     explained += beside_->telemetry.wants_explanations() ? 1 : 0;
+    beside_->places.after_tick(controller, tick.scheduled_ns, beside_->telemetry);
+    placed += beside_->telemetry.wants_places() ? 1 : 0;
     beside_->supervisor.note(std::array{controller.mode()});
     contacts += controller.record().contact != rendering::ContactKind::none ? 1 : 0;
     ++ticks_;
@@ -96,6 +102,7 @@ class BusyHooks {
   int contacts = 0;
   int changes = 0;
   int explained = 0;
+  int placed = 0;
 
  private:
   static constexpr int kFlightAt = 10'000;
@@ -104,16 +111,30 @@ class BusyHooks {
   int ticks_ = 0;
 };
 
-// Connects to a live socket and asks it for explanations. It reads nothing, which the socket bears.
-hal::FileDescriptor ask_for_explanations(const std::string& socket) {
+// Connects to a live socket and asks it for explanations and places. It reads nothing, which the
+// socket bears.
+hal::FileDescriptor ask_for_everything(const std::string& socket) {
   sockaddr_un address{};
   address.sun_family = AF_UNIX;
   std::ranges::copy(socket, std::begin(address.sun_path));
   hal::FileDescriptor reader(::socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0));
   EXPECT_EQ(::connect(reader.get(), reinterpret_cast<const sockaddr*>(&address), sizeof(address)),
             0);
-  EXPECT_EQ(::send(reader.get(), &firmware::kWantExplanations, 1, 0), 1);
+  const std::array wishes{firmware::kWantExplanations, firmware::kWantPlaces};
+  EXPECT_EQ(::send(reader.get(), wishes.data(), wishes.size(), 0), 2);
   return reader;
+}
+
+// A ball that goes to and fro, far from the stroke.
+rendering::Object moving_ball(const rendering::Motion& motion) {
+  rendering::Object ball;
+  ball.surface = rendering::SurfaceKind::primitive;
+  ball.primitive = {.kind = rendering::PrimitiveKind::sphere, .dimensions_m = {0.01}};
+  ball.primitive.X_WO.translation = {0.5, 0.0, 0.0};
+  ball.material = {.stiffness_N_per_m = 1000.0};
+  ball.moves = true;
+  ball.motion = &motion;
+  return ball;
 }
 
 TEST(Loop, NeverUsesTheHeapFromItsFirstTickToItsLast) {
@@ -123,7 +144,9 @@ TEST(Loop, NeverUsesTheHeapFromItsFirstTickToItsLast) {
   static firmware::Controller controller;
   static firmware::LoopTiming timing;
   ASSERT_TRUE(controller.configure(firmware::cartesian_config()));
-  ASSERT_TRUE(controller.load_scene({&solid.object(), 1}, {.tool_radius_m = 0.002}));
+  const rendering::Motion motion{.sway_W = {0.0, 0.1, 0.0}, .sway_Hz = 1.0};
+  const std::array objects{solid.object(), moving_ball(motion)};
+  ASSERT_TRUE(controller.load_scene(objects, {.tool_radius_m = 0.002}));
 
   hal::SimulatedClock clock;
   hal::SimulatedGpioChip chip(clock);
@@ -139,7 +162,7 @@ TEST(Loop, NeverUsesTheHeapFromItsFirstTickToItsLast) {
   const std::string socket = folder + "/telemetry.sock";
   ASSERT_EQ(beside.telemetry.open_live_socket(socket.c_str()), 0);
   ASSERT_EQ(beside.telemetry.start(), 0);
-  const hal::FileDescriptor reader = ask_for_explanations(socket);
+  const hal::FileDescriptor reader = ask_for_everything(socket);
   while (!beside.telemetry.wants_explanations()) {
     usleep(1000);
   }
@@ -172,6 +195,7 @@ TEST(Loop, NeverUsesTheHeapFromItsFirstTickToItsLast) {
   EXPECT_EQ(hooks.changes, static_cast<int>(kTicks / 100));
   EXPECT_GT(hooks.contacts, static_cast<int>(kTicks / 2));
   EXPECT_GT(hooks.explained, 0);
+  EXPECT_GT(hooks.placed, 0);
 }
 
 }  // namespace

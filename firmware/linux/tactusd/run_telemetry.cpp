@@ -186,6 +186,7 @@ void RunTelemetry::publish(Controller& controller, const LoopTick& tick,
   }
   writer_.publish(recorded);
   explanations_.after_tick(controller, tick.scheduled_ns, writer_);
+  places_.after_tick(controller, tick.scheduled_ns, writer_);
 }
 
 void RunTelemetry::stop() {

@@ -16,6 +16,7 @@
 #include "firmware/linux/tactusd/messages.h"
 #include "firmware/linux/tactusd/options.h"
 #include "firmware/linux/telemetry/explanation_source.h"
+#include "firmware/linux/telemetry/places_source.h"
 #include "firmware/linux/telemetry/telemetry_writer.h"
 #include "firmware/linux/telemetry/text_buffer.h"
 
@@ -87,6 +88,7 @@ class RunTelemetry {
   std::size_t device_ = 0;
   TelemetryWriter writer_;
   ExplanationSource explanations_;
+  PlacesSource places_;
   // Null but for devices beyond the first.
   FlightCompanion* companion_ = nullptr;
   TelemetrySinks sinks_{.writer = &writer_};

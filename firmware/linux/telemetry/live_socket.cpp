@@ -92,15 +92,15 @@ void LiveSocket::accept_readers(std::span<const std::byte> greeting, hal::TimeNs
     place->begin = 0;
     place->end = 0;
     place->moved_ns = now_ns;
-    place->wants_explanations = false;
+    place->wishes = {};
     ++counts_.readers;
     ++counts_.accepted;
     append(*place, greeting);
   }
 }
 
-bool LiveSocket::hear_readers() {
-  bool is_wanted = false;
+LiveWishes LiveSocket::hear_readers() {
+  LiveWishes wanted;
   for (Reader& reader : readers_) {
     if (!reader.socket.is_open()) {
       continue;
@@ -111,17 +111,27 @@ bool LiveSocket::hear_readers() {
         std::span(asked).first(static_cast<std::size_t>(std::max<ssize_t>(count, 0)));
     for (const std::byte byte : bytes) {
       if (byte == kWantExplanations || byte == kWantNoExplanations) {
-        reader.wants_explanations = byte == kWantExplanations;
+        reader.wishes.explanations = byte == kWantExplanations;
       }
+      reader.wishes.places = reader.wishes.places || byte == kWantPlaces;
     }
-    is_wanted = is_wanted || reader.wants_explanations;
+    wanted.explanations = wanted.explanations || reader.wishes.explanations;
+    wanted.places = wanted.places || reader.wishes.places;
   }
-  return is_wanted;
+  return wanted;
 }
 
 void LiveSocket::publish_explanation(std::span<const std::byte> message) {
   for (Reader& reader : readers_) {
-    if (reader.socket.is_open() && reader.wants_explanations) {
+    if (reader.socket.is_open() && reader.wishes.explanations) {
+      append(reader, message);
+    }
+  }
+}
+
+void LiveSocket::publish_places(std::span<const std::byte> message) {
+  for (Reader& reader : readers_) {
+    if (reader.socket.is_open() && reader.wishes.places) {
       append(reader, message);
     }
   }

@@ -1,8 +1,9 @@
 // Sends the run to every program that connects to a Unix socket. The stream is a sequence of
 // messages, each after its length as a 32-bit little-endian number. The first message is the run's
 // information (run_info.fbs); ticks (record.fbs) and events (event.fbs) follow. Bytes 4 to 7 of a
-// message are its type: "TRUN", "TREC", "TEVT" or "TEXP". A reader that sends the byte 'x' gets
-// explanations (explanation.fbs), too, until it sends 'o'; other bytes are ignored.
+// message are its type: "TRUN", "TREC", "TEVT", "TEXP" or "TPLC". A reader that sends the byte 'x'
+// gets explanations (explanation.fbs), too, until it sends 'o', and one that sends 'p' the places
+// of the objects that move (object_places.fbs); other bytes are ignored.
 //
 // Each reader has a bounded buffer. A message that does not fit is skipped for that reader and
 // counted. So a slow reader misses ticks, a stuck one is disconnected after kPatience_ns, and
@@ -38,6 +39,14 @@ struct LiveCounts {
 // The bytes with which a reader asks for explanations, and for no more of them.
 inline constexpr std::byte kWantExplanations{'x'};
 inline constexpr std::byte kWantNoExplanations{'o'};
+// The byte with which a reader asks for places.
+inline constexpr std::byte kWantPlaces{'p'};
+
+// The messages that are sent to readers who want them.
+struct LiveWishes {
+  bool explanations = false;
+  bool places = false;
+};
 
 // The socket of one run.
 class LiveSocket {
@@ -64,12 +73,14 @@ class LiveSocket {
 
   // Accepts the waiting readers; each gets `greeting` as its first message.
   void accept_readers(std::span<const std::byte> greeting, hal::TimeNs now_ns);
-  // Reads what the readers ask for. Returns true if one of them wants explanations.
-  bool hear_readers();
+  // Reads what the readers ask for. Returns what at least one of them wants.
+  LiveWishes hear_readers();
   // Puts a message into the buffer of every reader.
   void publish(std::span<const std::byte> message);
   // Puts an explanation into the buffer of every reader that wants them.
   void publish_explanation(std::span<const std::byte> message);
+  // Puts places into the buffer of every reader that wants them.
+  void publish_places(std::span<const std::byte> message);
   // Sends as much of the buffers as the readers take now.
   void send(hal::TimeNs now_ns);
 
@@ -84,7 +95,7 @@ class LiveSocket {
     std::size_t end = 0;
     // The time when it last read something or its buffer was empty.
     hal::TimeNs moved_ns = 0;
-    bool wants_explanations = false;
+    LiveWishes wishes;
     std::array<std::byte, kBufferBytes> buffer{};
   };
 

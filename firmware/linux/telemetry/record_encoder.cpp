@@ -7,6 +7,7 @@
 #include "firmware/telemetry/event_generated.h"
 #include "firmware/telemetry/explanation_bfbs_generated.h"
 #include "firmware/telemetry/explanation_generated.h"
+#include "firmware/telemetry/object_places_generated.h"
 #include "firmware/telemetry/record_bfbs_generated.h"
 #include "firmware/telemetry/record_generated.h"
 #include "firmware/telemetry/run_info_generated.h"
@@ -193,6 +194,24 @@ std::span<const std::byte> RecordEncoder::encode(const Explanation& explanation)
   }
   table.add_step_ns(&step_ns);
   builder_.Finish(table.Finish(), telemetry::ExplanationIdentifier());
+  return message();
+}
+
+std::span<const std::byte> RecordEncoder::encode(const ObjectPlaces& places) {
+  builder_.Clear();
+  std::array<telemetry::ObjectPlace, rendering::kMaxMovers> stored_places;
+  const std::size_t count = std::min<std::size_t>(places.count, stored_places.size());
+  for (std::size_t i = 0; i < count; ++i) {
+    const auto& [object, origin_W, rotation_W] = places.places[i];
+    stored_places[i] = {
+        object, stored(origin_W), {rotation_W[0], rotation_W[1], rotation_W[2], rotation_W[3]}};
+  }
+  const auto list = builder_.CreateVectorOfStructs(stored_places.data(), count);
+  telemetry::ObjectPlacesBuilder table(builder_);
+  table.add_tick(places.tick);
+  table.add_time_ns(places.time_ns);
+  table.add_places(list);
+  builder_.Finish(table.Finish(), telemetry::ObjectPlacesIdentifier());
   return message();
 }
 

@@ -1,5 +1,6 @@
-// Encodes ticks, events, explanations and run information as FlatBuffers (record.fbs, event.fbs,
-// explanation.fbs, run_info.fbs). It has its own memory and uses no heap. One thread.
+// Encodes ticks, events, explanations, places and run information as FlatBuffers (record.fbs,
+// event.fbs, explanation.fbs, object_places.fbs, run_info.fbs). It has its own memory and uses no
+// heap. One thread.
 #pragma once
 
 #include <flatbuffers/flatbuffer_builder.h>
@@ -11,6 +12,7 @@
 #include <string_view>
 
 #include "firmware/telemetry/explanation.h"
+#include "firmware/telemetry/object_places.h"
 #include "firmware/telemetry/recorded_tick.h"
 #include "firmware/telemetry/telemetry_event.h"
 
@@ -39,6 +41,7 @@ class RecordEncoder {
   std::span<const std::byte> encode(const RecordedTick& tick);
   std::span<const std::byte> encode(const TelemetryEvent& event);
   std::span<const std::byte> encode(const Explanation& explanation);
+  std::span<const std::byte> encode(const ObjectPlaces& places);
   std::span<const std::byte> encode(std::span<const MetadataEntry> run_info);
 
  private:

@@ -37,7 +37,9 @@ int TelemetryOutputs::carry_out(const TelemetryOrder& order) {
 void TelemetryOutputs::accept_readers(hal::TimeNs now_ns) {
   if (live_.is_open()) {
     live_.accept_readers(encoder_.encode(run_info_), now_ns);
-    is_explaining_.store(live_.hear_readers(), std::memory_order_relaxed);
+    const LiveWishes wishes = live_.hear_readers();
+    is_explaining_.store(wishes.explanations, std::memory_order_relaxed);
+    is_placing_.store(wishes.places, std::memory_order_relaxed);
   }
 }
 
@@ -60,6 +62,10 @@ void TelemetryOutputs::add(const Explanation& explanation) {
   const auto message = encoder_.encode(explanation);
   recorder_.add(explanation, message);
   live_.publish_explanation(message);
+}
+
+void TelemetryOutputs::add(const ObjectPlaces& places) {
+  live_.publish_places(encoder_.encode(places));
 }
 
 void TelemetryOutputs::flush(hal::TimeNs now_ns) {

@@ -37,6 +37,8 @@ class TelemetryOutputs {
   void add(const RecordedTick& tick);
   // Passes an explanation on to the recording and to the readers that want it.
   void add(const Explanation& explanation);
+  // Passes places on to the readers that want them.
+  void add(const ObjectPlaces& places);
   // Sends what the readers have not got yet, writes the file's buffer once in a while, and ends a
   // recording that has failed.
   void flush(hal::TimeNs now_ns);
@@ -44,10 +46,11 @@ class TelemetryOutputs {
   // Ends the recording and closes the live socket.
   void close();
 
-  // Returns true while a reader wants explanations. Any thread.
+  // Return true while a reader wants explanations, or places. Any thread.
   [[nodiscard]] bool wants_explanations() const {
     return is_explaining_.load(std::memory_order_relaxed);
   }
+  [[nodiscard]] bool wants_places() const { return is_placing_.load(std::memory_order_relaxed); }
   // Returns 0 or the errno that ended the recording. Any thread.
   [[nodiscard]] int recording_error() const { return error_.load(std::memory_order_relaxed); }
 
@@ -62,6 +65,7 @@ class TelemetryOutputs {
   hal::TimeNs flushed_ns_ = 0;
   std::atomic<int> error_{0};
   std::atomic<bool> is_explaining_{false};
+  std::atomic<bool> is_placing_{false};
 };
 
 }  // namespace tactus::firmware

@@ -70,6 +70,10 @@ void TelemetryWriter::cycle() {
     outputs_.add(*explanation);
     explanations_.pop();
   }
+  while (const ObjectPlaces* places = places_.front()) {
+    outputs_.add(*places);
+    places_.pop();
+  }
   outputs_.flush(now_ns);
   if (const TelemetryOrder* const order = orders_.waiting(); order != nullptr) {
     orders_.answer(outputs_.carry_out(*order));

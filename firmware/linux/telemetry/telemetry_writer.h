@@ -1,9 +1,10 @@
 // Takes the ticks from the loop and, in its own thread, passes them to a recording, to the readers
 // of the live socket and to PlotJuggler.
 //
-//   loop --RecordRing, EventRing, ExplanationRing--> thread --> MCAP or CSV file
-//                                                           --> live socket, for up to 8 readers
-//                                                           --> UDP on this machine
+//   loop --RecordRing, EventRing, ExplanationRing, PlacesRing--> thread --> MCAP or CSV file
+//                                                                       --> live socket, for up
+//                                                                           to 8 readers
+//                                                                       --> UDP on this machine
 // The loop only copies each tick into a ring, so a slow disk or reader costs the loop nothing. If
 // the thread is too slow, ticks are dropped and counted; every tick holds the number dropped before
 // it.
@@ -51,8 +52,12 @@ class TelemetryWriter {
   // Publishes an explanation of the same tick, before or after it. Like a tick it is dropped if the
   // thread is too slow, but not counted: its readers see a gap in the numbers.
   void publish(const Explanation& explanation) { explanations_.push(explanation); }
-  // Returns true while a reader of the live socket wants explanations. Any thread; wait-free.
+  // Publishes the places of the objects that move, for the live socket alone; dropped likewise.
+  void publish(const ObjectPlaces& places) { places_.push(places); }
+  // Return true while a reader of the live socket wants explanations, or places. Any thread;
+  // wait-free.
   [[nodiscard]] bool wants_explanations() const { return outputs_.wants_explanations(); }
+  [[nodiscard]] bool wants_places() const { return outputs_.wants_places(); }
 
   // Starts a recording, after ending the present one. Returns 0 or errno. This function and the
   // next two are for one other thread at a time, before or after `start`. They wait for the
@@ -84,6 +89,7 @@ class TelemetryWriter {
   RecordRing ticks_;
   EventRing events_;
   ExplanationRing explanations_;
+  PlacesRing places_;
   HelperThread thread_;
   bool started_ = false;
   std::atomic<bool> stopping_{false};

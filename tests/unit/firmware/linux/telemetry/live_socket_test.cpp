@@ -80,7 +80,7 @@ TEST_F(LiveSocketTest, GivesExplanationsToReadersThatAskForThem) {
   LiveReader told(path_);
   LiveReader other(path_);
   accept();
-  EXPECT_FALSE(socket_->hear_readers());
+  EXPECT_FALSE(socket_->hear_readers().explanations);
   const auto explain = [&](std::uint64_t tick) {
     socket_->publish_explanation(encoder_.encode(Explanation{.tick = tick}));
     send();
@@ -97,14 +97,34 @@ TEST_F(LiveSocketTest, GivesExplanationsToReadersThatAskForThem) {
   explain(7);
   EXPECT_EQ(explained(told), 0U);
   told.ask_for_explanations(true);
-  EXPECT_TRUE(socket_->hear_readers());
+  EXPECT_TRUE(socket_->hear_readers().explanations);
   explain(8);
   EXPECT_EQ(explained(told), 8U);
   EXPECT_EQ(explained(other), 0U);
   told.ask_for_explanations(false);
-  EXPECT_FALSE(socket_->hear_readers());
+  EXPECT_FALSE(socket_->hear_readers().explanations);
   explain(9);
   EXPECT_EQ(explained(told), 0U);
+}
+
+TEST_F(LiveSocketTest, GivesPlacesToReadersThatAskForThem) {
+  LiveReader told(path_);
+  LiveReader other(path_);
+  accept();
+  EXPECT_FALSE(socket_->hear_readers().places);
+  told.ask_for_places();
+  EXPECT_TRUE(socket_->hear_readers().places);
+  EXPECT_FALSE(socket_->hear_readers().explanations);
+  socket_->publish_places(encoder_.encode(ObjectPlaces{.tick = 8, .count = 1}));
+  publish(9);
+  send();
+  (void)told.next(10s);  // the information about the run
+  (void)other.next(10s);
+  const auto message = told.next(10s);
+  ASSERT_TRUE(message.has_value());
+  ASSERT_TRUE(std::holds_alternative<ObjectPlaces>(*message));
+  EXPECT_EQ(std::get<ObjectPlaces>(*message).tick, 8U);
+  EXPECT_EQ(next_tick(other), 9);
 }
 
 // The place of a reader that has gone is another's, who asks anew.
@@ -113,16 +133,16 @@ TEST_F(LiveSocketTest, ForgetsWhatAReaderAskedForWhenItGoes) {
     LiveReader reader(path_);
     reader.ask_for_explanations(true);
     accept();
-    EXPECT_TRUE(socket_->hear_readers());
+    EXPECT_TRUE(socket_->hear_readers().explanations);
   }
   publish(0);
   send();
   publish(1);
   send();
-  EXPECT_FALSE(socket_->hear_readers());
+  EXPECT_FALSE(socket_->hear_readers().explanations);
   const LiveReader next(path_);
   accept();
-  EXPECT_FALSE(socket_->hear_readers());
+  EXPECT_FALSE(socket_->hear_readers().explanations);
 }
 
 TEST_F(LiveSocketTest, SkipsWholeMessagesForASlowReaderAndCountsEach) {

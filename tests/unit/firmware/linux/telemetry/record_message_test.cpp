@@ -119,6 +119,44 @@ TEST(RecordMessage, OfAnExplanationIsRefusedWhenItIsShortOrAnother) {
   EXPECT_FALSE(host::decode_event(message).has_value());
 }
 
+// Fills places with numbers of which no two are equal.
+ObjectPlaces some_places() {
+  ObjectPlaces places{
+      .tick = 17, .time_ns = -18, .count = static_cast<std::uint32_t>(rendering::kMaxMovers)};
+  double number = 0.5;
+  for (ObjectPlace& place : places.places) {
+    place.object = static_cast<std::uint32_t>(number);
+    for (double& value : place.origin_W) {
+      value = number += 1.0;
+    }
+    for (double& value : place.rotation_W) {
+      value = number += 1.0;
+    }
+  }
+  return places;
+}
+
+TEST(RecordMessage, CarriesThePlacesOfAsManyObjectsAsCanMove) {
+  const ObjectPlaces sent = some_places();
+  RecordEncoder encoder;
+  const auto read = host::decode_object_places(encoder.encode(sent));
+  ASSERT_TRUE(read.has_value());
+  EXPECT_EQ(read->tick, 17U);
+  EXPECT_EQ(read->time_ns, -18);
+  EXPECT_EQ(read->count, sent.count);
+  EXPECT_EQ(read->places, sent.places);
+}
+
+TEST(RecordMessage, OfPlacesIsRefusedWhenItIsShortOrAnother) {
+  RecordEncoder encoder;
+  const auto message = encoder.encode(some_places());
+  for (std::size_t size = 0; size < message.size(); size += 7) {
+    EXPECT_FALSE(host::decode_object_places(message.first(size)).has_value()) << size;
+  }
+  EXPECT_FALSE(host::decode_tick(message).has_value());
+  EXPECT_FALSE(host::decode_explanation(message).has_value());
+}
+
 TEST(RecordMessage, CarriesRunInformationAndCutsWhatIsTooLong) {
   const std::string long_text(kMaxMessageBytes, 'x');
   const std::array<MetadataEntry, 3> entries{{{"rate_hz", "1000"}, {"", ""}, {"long", long_text}}};
