@@ -63,13 +63,8 @@ struct FrictionOptions {
 
 // Returns the published parameters with the user's changes. Throws InputError.
 rendering::FrictionParameters parameters_from(const FrictionOptions& options) {
-  const ForceScale scale = options.normal_force_N ? ForceScale::per_newton : ForceScale::newton;
-  rendering::FrictionParameters parameters = published_parameters(friction_kind(options.model));
-  for (const std::string& assignment : options.parameters) {
-    set_parameter(parameters, assignment, scale);
-  }
-  check_parameters(parameters, scale);
-  return parameters;
+  return changed_parameters(options.model, options.parameters,
+                            options.normal_force_N ? ForceScale::per_newton : ForceScale::newton);
 }
 
 // A value that does not exist is NaN in the table and null in JSON.
