@@ -65,9 +65,12 @@ class LiveTest(FolderTest):
         with self.served(self.image, "--record", recording) as run_dir, tactus.connect(run_dir) as controller:
             controller.home()
             controller.enable()
+            controller.set("max_force_N", 3.5)
             with controller.watch() as ticks:
                 watched = list(itertools.islice(ticks, 300))
         recorded = {int(row["tick"]): row for row in tactus.read_recording(recording)}
+        info, events = tactus.read_events(recording)
+        self.assertIn(("parameter", "max_force_N", 3.5), [tuple(each)[1:] for each in events])
         self.assertEqual(len(watched), 300)
         for tick in watched:
             row = recorded[tick["tick"]]
