@@ -1,7 +1,5 @@
 #include <pybind11/stl.h>
 
-#include <filesystem>
-#include <optional>
 #include <string>
 #include <utility>
 #include <vector>

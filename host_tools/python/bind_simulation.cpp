@@ -1,10 +1,7 @@
 #include <pybind11/stl.h>
 
-#include <array>
 #include <cstdint>
-#include <optional>
 #include <string>
-#include <string_view>
 #include <utility>
 #include <vector>
 

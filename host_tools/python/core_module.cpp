@@ -1,8 +1,9 @@
 // The extension module tactus._core. The package `tactus` around it has the documentation for
 // users.
-#include <cstdint>
-#include <cstring>
-#include <utility>
+#include <algorithm>
+#include <cstddef>
+#include <string>
+#include <vector>
 
 #include "host_tools/input_error.h"
 #include "host_tools/python/bindings.h"
@@ -53,17 +54,17 @@ py::dict dict_of(std::span<const std::string> names, std::span<const ColumnArray
 }  // namespace tactus::host::python
 
 PYBIND11_MODULE(_core, module) {
-  using namespace tactus::host::python;
+  namespace python = tactus::host::python;
   module.doc() =
       "The host tools of Tactus as functions; the package tactus has their documentation.";
   const auto error = pybind11::register_exception<tactus::host::InputError>(module, "Error");
   pybind11::register_exception<tactus::host::UnreachableError>(module, "Unreachable", error);
   module.attr("__version__") = TACTUS_VERSION;
-  bind_bake(module);
-  bind_scene(module);
-  bind_simulation(module);
-  bind_friction(module);
-  bind_certify(module);
-  bind_recording(module);
-  bind_live(module);
+  python::bind_bake(module);
+  python::bind_scene(module);
+  python::bind_simulation(module);
+  python::bind_friction(module);
+  python::bind_certify(module);
+  python::bind_recording(module);
+  python::bind_live(module);
 }

@@ -3,7 +3,6 @@
 
 #include <cstddef>
 #include <memory>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,21 +15,21 @@ namespace tactus::host::python {
 class SceneFile {
  public:
   // Opens the image in a file. Throws InputError that names the file.
-  explicit SceneFile(const std::string& path) : name_(path), mapped_(path) {}
+  explicit SceneFile(const std::string& path)
+      : name_(path), mapped_(std::make_unique<MappedScene>(path)), image_(mapped_->image()) {}
   // Checks an image in memory and keeps it. Throws InputError.
   explicit SceneFile(std::vector<std::byte> bytes);
 
-  [[nodiscard]] const rendering::SceneImage& image() const {
-    return mapped_ ? mapped_->image() : *image_;
-  }
+  [[nodiscard]] const rendering::SceneImage& image() const { return image_; }
   // Returns the file's name, or words that stand for it, for messages.
   [[nodiscard]] const std::string& name() const { return name_; }
 
  private:
   std::string name_;
-  std::optional<MappedScene> mapped_;
+  // The views of `image_` lead into the file, or else into the bytes.
+  std::unique_ptr<MappedScene> mapped_;
   std::vector<std::byte> bytes_;
-  std::optional<rendering::SceneImage> image_;
+  rendering::SceneImage image_;
 };
 
 }  // namespace tactus::host::python
