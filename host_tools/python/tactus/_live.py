@@ -89,12 +89,11 @@ class Controller:
         self._ask("home")
         end_s = time.monotonic() + above_zero("timeout_s", timeout_s)
         while wait:
-            words, _ = self._ask("status")
-            mode = self.status()["mode"]
-            if mode == "ready":
+            status = self.status()
+            if status["mode"] == "ready":
                 return
-            if mode != "homing":
-                raise Refused(words)
+            if status["mode"] != "homing":
+                raise Refused("the device has not found its reference: " + _words(status))
             if time.monotonic() > end_s:
                 raise TimeoutError(f"the device has not found its reference in {timeout_s} s")
             time.sleep(0.02)
@@ -174,6 +173,11 @@ def connect(
         controller.close()
         raise
     return controller
+
+
+def _words(fields: Dict[str, str]) -> str:
+    """Returns fields as the controller writes them."""
+    return " ".join(f"{name}={text}" for name, text in fields.items())
 
 
 def _word(name: str, text: str) -> str:
