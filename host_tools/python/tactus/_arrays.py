@@ -1,11 +1,14 @@
 """Checks of arguments, and arrays with named columns."""
 
 import os
-from typing import Any, Dict, Sequence, Tuple, Union
+from typing import Any, Dict, List, Sequence, Tuple, Union
 
 import numpy as np
+import numpy.typing as npt
 
 PathLike = Union[str, "os.PathLike[str]"]
+Numbers = npt.NDArray[np.float64]
+Table = npt.NDArray[np.void]
 
 
 def path_text(name: str, path: PathLike) -> str:
@@ -19,7 +22,7 @@ def path_text(name: str, path: PathLike) -> str:
     return text
 
 
-def numbers(name: str, value: Any, shape: Tuple[Union[int, str], ...]) -> np.ndarray:
+def numbers(name: str, value: Any, shape: Tuple[Union[int, str], ...]) -> Numbers:
     """Returns the value as an array of float64. A word in the shape stands for any length above 0.
 
     Raises TypeError if it holds no real numbers, ValueError if its shape is another, or if a number is
@@ -40,7 +43,7 @@ def numbers(name: str, value: Any, shape: Tuple[Union[int, str], ...]) -> np.nda
     return array
 
 
-def times(name: str, value: Any) -> np.ndarray:
+def times(name: str, value: Any) -> Numbers:
     """Returns times that grow from one to the next, s; raises ValueError if they do not."""
     array = numbers(name, value, ("N",))
     late = np.flatnonzero(np.diff(array) <= 0)
@@ -52,13 +55,13 @@ def times(name: str, value: Any) -> np.ndarray:
 
 def above_zero(name: str, value: Any) -> float:
     """Returns a number that is finite and above 0; raises TypeError or ValueError otherwise."""
-    number = numbers(name, value, ()).item()
+    number = float(numbers(name, value, ()))
     if number <= 0:
         raise ValueError(f"{name} is {number}; it has to be above 0")
     return number
 
 
-def texts(name: str, value: Union[str, Sequence[str]]) -> list:
+def texts(name: str, value: Union[str, Sequence[str]]) -> List[str]:
     """Returns one text, or several, as a list."""
     found = [value] if isinstance(value, str) else list(value)
     for each in found:
@@ -67,10 +70,10 @@ def texts(name: str, value: Union[str, Sequence[str]]) -> list:
     return found
 
 
-def table(columns: Dict[str, np.ndarray]) -> np.ndarray:
+def table(columns: Dict[str, npt.NDArray[Any]]) -> Table:
     """Returns columns as one array with a field for each; the dictionary is empty afterwards."""
     dtype = np.dtype([(name, column.dtype) for name, column in columns.items()], align=True)
     rows = np.empty(len(next(iter(columns.values()))), dtype)
-    for name in dtype.names:
+    for name in list(columns):
         rows[name] = columns.pop(name)
     return rows

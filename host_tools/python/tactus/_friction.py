@@ -1,11 +1,11 @@
 """Friction models by themselves."""
 
-from typing import Any, Dict, Optional, Tuple, Union
+from typing import Any, Dict, List, Optional, Tuple, Union
 
 import numpy as np
 
 from . import _core
-from ._arrays import above_zero, numbers, table, times
+from ._arrays import Numbers, Table, above_zero, numbers, table, times
 
 
 class Friction:
@@ -30,14 +30,14 @@ class Friction:
         """All parameters of the model, in the order of `tactus friction --help`."""
         return self._model.parameters()
 
-    def motion(self, t_s: Any, x_m: Any) -> np.ndarray:
+    def motion(self, t_s: Any, x_m: Any) -> Table:
         """Returns the friction along a motion, one row a time: t_s, x_m, v_m_per_s, force_N, bristle_m.
 
         The motion is at rest in the first row; the velocity is the difference to the row before.
         """
         return table(self._model.motion(*_course(t_s, "x_m", x_m)))
 
-    def push(self, t_s: Any, force_N: Any, *, mass_kg: float = 1.0, rate_hz: float = 1000.0) -> np.ndarray:
+    def push(self, t_s: Any, force_N: Any, *, mass_kg: float = 1.0, rate_hz: float = 1000.0) -> Table:
         """Returns the motion of a mass at rest that is pushed, one row a tick, with the column push_N too.
 
         The push is straight between its times.
@@ -52,7 +52,7 @@ class Friction:
         mass_kg: float = 1.0,
         rate_hz: float = 1000.0,
         **setup: Union[float, Tuple[float, ...]],
-    ) -> Tuple[np.ndarray, Optional[np.ndarray]]:
+    ) -> Tuple[Table, Optional[Table]]:
         """Runs a published experiment: presliding, lag, break-away, stick-slip, hunting or hysteresis.
 
         Returns its course and what was measured in it, or None where an experiment measures nothing. A
@@ -68,7 +68,7 @@ class Friction:
         return f"<tactus.Friction {self.model}: {values}>"
 
 
-def _assignments(values: Dict[str, Any]) -> list:
+def _assignments(values: Dict[str, Any]) -> List[str]:
     """Returns texts such as "Fc=0.3", with all bits of the numbers."""
     found = []
     for name, value in values.items():
@@ -77,7 +77,7 @@ def _assignments(values: Dict[str, Any]) -> list:
     return found
 
 
-def _course(t_s: Any, name: str, values: Any) -> Tuple[np.ndarray, np.ndarray]:
+def _course(t_s: Any, name: str, values: Any) -> Tuple[Numbers, Numbers]:
     """Returns two or more times and as many values."""
     moments = times("t_s", t_s)
     course = numbers(name, values, ("N",))

@@ -5,7 +5,7 @@ from typing import Dict, List, NamedTuple, Optional, Sequence, Tuple
 import numpy as np
 
 from . import _core
-from ._arrays import PathLike, path_text, table, texts
+from ._arrays import PathLike, Table, path_text, table, texts
 
 
 class Event(NamedTuple):
@@ -24,7 +24,7 @@ def read_recording(
     every: int = 1,
     from_s: Optional[float] = None,
     to_s: Optional[float] = None,
-) -> np.ndarray:
+) -> Table:
     """Reads the ticks of a recording (.mcap) as `tactus export` writes them.
 
     Returns an array with a row for each tick and a field for each column. `fields` are names of columns

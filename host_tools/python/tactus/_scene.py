@@ -7,9 +7,10 @@ from pathlib import Path
 from typing import Any, Dict, List, Optional, Tuple, Union
 
 import numpy as np
+import numpy.typing as npt
 
 from . import _core
-from ._arrays import PathLike, above_zero, numbers, path_text, times
+from ._arrays import Numbers, PathLike, above_zero, numbers, path_text, times
 
 
 class BakeWarning(UserWarning):
@@ -28,36 +29,36 @@ def bake(file: PathLike, image: Optional[PathLike] = None) -> Dict[str, Any]:
     report, found = _core.bake(source, output)
     for text in found:
         warnings.warn(text, BakeWarning, stacklevel=2)
-    return json.loads(report)
+    return dict(json.loads(report))
 
 
 @dataclass(frozen=True)
 class Touch:
     """The course of one tool that was led over a scene: an array with N rows for each quantity."""
 
-    t_s: np.ndarray
+    t_s: Numbers
     """The time, s, (N,)."""
-    tool_m: np.ndarray
+    tool_m: Numbers
     """The tool's centre, m, (N, 3)."""
-    proxy_m: np.ndarray
+    proxy_m: Numbers
     """The proxy's centre, m, (N, 3)."""
-    force_N: np.ndarray
+    force_N: Numbers
     """The force on the hand, N, (N, 3)."""
-    normal: np.ndarray
+    normal: Numbers
     """The unit normal of the contact; zero without one, (N, 3)."""
-    depth_m: np.ndarray
+    depth_m: Numbers
     """How far the proxy stands above the tool along the normal, m, (N,)."""
-    contact: np.ndarray
+    contact: npt.NDArray[np.uint8]
     """0 none, 1 face, 2 edge, 3 vertex, (N,)."""
-    friction_state: np.ndarray
+    friction_state: npt.NDArray[np.uint8]
     """0 free, 1 stick, 2 slip, (N,)."""
-    object: np.ndarray
+    object: npt.NDArray[np.int64]
     """The number of the touched object in Scene.objects; -1 without contact, (N,)."""
-    flags: np.ndarray
+    flags: npt.NDArray[np.uint32]
     """The limits that the tick reached, one bit each; 0: none, (N,)."""
-    short_of_goal_m: np.ndarray
+    short_of_goal_m: Numbers
     """How far a limit ended the proxy's moves before their goal, m, (N,)."""
-    state_hash: np.ndarray
+    state_hash: npt.NDArray[np.uint64]
     """A chain over all ticks so far, as `tactus touch --hashes` writes it: equal hashes are equal bits, (N,)."""
 
     def __len__(self) -> int:
@@ -94,7 +95,7 @@ class Scene:
         """The names of the objects."""
         return [entry["name"] for entry in self.objects]
 
-    def mesh(self, name: Union[str, int]) -> Tuple[np.ndarray, np.ndarray]:
+    def mesh(self, name: Union[str, int]) -> Tuple[Numbers, npt.NDArray[np.uint32]]:
         """Returns an object's vertices, m, (V, 3), and the numbers of each triangle's corners, (T, 3).
 
         A primitive or a formula has the mesh of its picture. Raises Error if there is no such object.
@@ -116,7 +117,8 @@ class Scene:
         """
         places = np.asarray(positions_m)
         several = places.ndim == 3
-        places = numbers("positions_m", places, ("tools", "N", 3) if several else ("N", 3))
+        lengths: List[Union[int, str]] = ["tools", "N", 3] if several else ["N", 3]
+        places = numbers("positions_m", places, tuple(lengths))
         if t_s is None:
             moments = np.arange(places.shape[-2]) / above_zero("rate_hz", rate_hz)
         else:

@@ -6,10 +6,8 @@ import tempfile
 import warnings
 from typing import Any, Dict, List, Optional, Sequence, Union
 
-import numpy as np
-
 from . import _core
-from ._arrays import PathLike, above_zero, numbers, path_text, table, texts, times
+from ._arrays import PathLike, Table, above_zero, numbers, path_text, table, texts, times
 from ._scene import Scene
 
 
@@ -28,7 +26,7 @@ def simulate(
     rate_hz: float = 1000.0,
     compensate: float = 0.0,
     faults: Sequence[str] = (),
-) -> Union[np.ndarray, List[np.ndarray]]:
+) -> Union[Table, List[Table]]:
     """Lets a simulated hand and device touch a scene through the controller, as `tactus sim` does.
 
     Returns an array with a row for each tick and a field for each column of a recording, such as
@@ -46,7 +44,7 @@ def simulate(
     options.hands = texts("hand", hand)
     options.seed = seed
     options.rate_hz = above_zero("rate_hz", rate_hz)
-    options.compensated_share = numbers("compensate", compensate, ()).item()
+    options.compensated_share = float(numbers("compensate", compensate, ()))
     options.seconds = None if seconds is None else above_zero("seconds", seconds)
     options.faults = texts("faults", faults)
     several = not isinstance(device, str)
@@ -68,7 +66,7 @@ def certify(
     Writes the certificate, the table and the picture beside the device's file, and returns what
     `tactus certify --json` prints. `threads` is 0 for one a processor. Ctrl-C is heard at the end.
     """
-    return json.loads(_core.certify(path_text("device", device), margin, dampings, threads))
+    return dict(json.loads(_core.certify(path_text("device", device), margin, dampings, threads)))
 
 
 def _path_file(path: Any, folder: str, number: int) -> str:

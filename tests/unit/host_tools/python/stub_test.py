@@ -1,9 +1,13 @@
 """The stub _core.pyi says of the extension module what is true, and every public name has a text."""
 
 import ast
+import importlib.util
 import inspect
 import pathlib
 import re
+import subprocess
+import sys
+import tempfile
 import unittest
 
 import tactus
@@ -88,6 +92,15 @@ class StubTest(unittest.TestCase):
                 ]
                 self.assertEqual(untyped, [], method)
                 self.assertIsNot(inspect.signature(method).return_annotation, inspect.Signature.empty, method)
+
+    @unittest.skipIf(importlib.util.find_spec("mypy") is None, "mypy is not installed")
+    def test_the_types_of_package_and_stub_go_together(self):
+        with tempfile.TemporaryDirectory() as cache:
+            result = subprocess.run(
+                [sys.executable, "-m", "mypy", "--strict", "--cache-dir", cache, "-p", "tactus"],
+                cwd=pathlib.Path(tactus.__file__).parents[1], capture_output=True, text=True, timeout=300,
+            )
+        self.assertEqual(result.returncode, 0, result.stdout)
 
     def test_the_package_says_that_it_is_typed(self):
         self.assertTrue((pathlib.Path(tactus.__file__).parent / "py.typed").exists())
