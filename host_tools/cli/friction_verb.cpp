@@ -204,8 +204,6 @@ void run_friction(const FrictionOptions& options) {
 }  // namespace
 
 void add_friction_verb(CLI::App& app) {
-  constexpr double kLeastRate_hz = 1.0;
-  constexpr double kMostRate_hz = 1e6;
   CLI::App* verb = app.add_subcommand(
       "friction", "Run a friction model on a motion, on a pushed mass, or in an experiment");
   const auto options = std::make_shared<FrictionOptions>();
@@ -227,7 +225,7 @@ void add_friction_verb(CLI::App& app) {
       ->check(CLI::PositiveNumber);
   verb->add_option("--rate-hz", options->rate_hz,
                    "Ticks a second; default 1000, of a motion one a row")
-      ->check(CLI::Range(kLeastRate_hz, kMostRate_hz));
+      ->check(CLI::Range(kLeastFrictionRate_hz, kMostFrictionRate_hz));
   verb->add_option("-o,--output", options->output, "Write the result to this CSV file");
   verb->add_option("--figure", options->figure, "Draw it into this .png, .svg or .pdf file")
       ->check(picture_complaint);

@@ -1,3 +1,4 @@
+#include <fmt/format.h>
 #include <pybind11/stl.h>
 
 #include <optional>
@@ -8,6 +9,7 @@
 #include "host_tools/friction/experiments.h"
 #include "host_tools/friction/friction_run.h"
 #include "host_tools/friction/parameter_names.h"
+#include "host_tools/input_error.h"
 #include "host_tools/python/bindings.h"
 
 namespace tactus::host::python {
@@ -37,6 +39,15 @@ class FrictionModel {
   rendering::FrictionParameters friction_;
   double normal_force_N_;
 };
+
+// Returns the rate. Throws InputError if it is not one of the program's.
+double checked_rate(double rate_hz) {
+  if (!(rate_hz >= kLeastFrictionRate_hz && rate_hz <= kMostFrictionRate_hz)) {
+    throw InputError(fmt::format("rate_hz is {}; it has to be from {} to {}", rate_hz,
+                                 kLeastFrictionRate_hz, kMostFrictionRate_hz));
+  }
+  return rate_hz;
+}
 
 TimeSeries series_of(const Numbers& t_s, const Numbers& values) {
   const auto t = t_s.unchecked<1>();
@@ -108,7 +119,7 @@ py::dict FrictionModel::push(const Numbers& t_s, const Numbers& force_N, double 
     track = run_push({.friction = friction_,
                       .normal_force_N = normal_force_N_,
                       .mass_kg = mass_kg,
-                      .rate_hz = rate_hz},
+                      .rate_hz = checked_rate(rate_hz)},
                      series);
   }
   return dict_of_track(track);
@@ -124,7 +135,7 @@ py::tuple FrictionModel::experiment(const std::string& name,
     ExperimentRun run{.friction = friction_,
                       .normal_force_N = normal_force_N_,
                       .mass_kg = mass_kg,
-                      .rate_hz = rate_hz,
+                      .rate_hz = checked_rate(rate_hz),
                       .setup = known.setup()};
     for (const std::string& assignment : assignments) {
       run.setup.set(assignment);

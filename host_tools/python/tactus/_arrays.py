@@ -19,6 +19,8 @@ def path_text(name: str, path: PathLike) -> str:
         raise TypeError(f"{name} has to be a path, not {type(path).__name__}") from None
     if not isinstance(text, str):
         raise TypeError(f"{name} has to be a path of text, not of bytes")
+    if "\0" in text:
+        raise ValueError(f"{name} {text!r} has a zero in it, which no file's name has")
     return text
 
 

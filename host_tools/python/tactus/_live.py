@@ -1,6 +1,7 @@
 """A running controller: tactusd, `tactus sim --serve`, or a bare board."""
 
 import os
+import threading
 import time
 from typing import Any, Dict, Iterator, List, Optional, Sequence, Tuple, Union
 
@@ -20,13 +21,14 @@ Refused.__module__ = "tactus"
 class Ticks(Iterator[Dict[str, Any]]):
     """The ticks of a running controller, one dictionary each, until it ends.
 
-    A reader that is too slow misses ticks: a gap shows in the numbers of the field `tick`. Use it in a
-    `with` block, or close it.
+    A reader that is too slow misses ticks: a gap shows in the numbers of the field `tick`. Threads may
+    share it; each tick goes to one of them. Use it in a `with` block, or close it.
     """
 
     def __init__(self, ticks: "_core.LiveTicks", timeout_s: float) -> None:
         self._ticks: Optional[_core.LiveTicks] = ticks
         self._timeout_s = timeout_s
+        self._lock = threading.Lock()
 
     def __iter__(self) -> "Ticks":
         return self
@@ -36,12 +38,14 @@ class Ticks(Iterator[Dict[str, Any]]):
 
         Raises TimeoutError if none has come in `timeout_s`.
         """
-        if self._ticks is None:
+        ticks = self._ticks
+        if ticks is None:
             raise StopIteration
-        tick = self._ticks.next(self._timeout_s)
+        with self._lock:
+            tick = ticks.next(self._timeout_s)
         if tick is not None:
             return tick
-        if self._ticks.ended:
+        if ticks.ended:
             raise StopIteration
         raise TimeoutError(f"the controller has sent no tick for {self._timeout_s} s")
 

@@ -94,6 +94,8 @@ class FrictionTest(FolderTest):
             (ValueError, "give two or more of each", lambda: model.motion([0], [0])),
             (ValueError, "give two or more of each", lambda: model.motion([0, 1], [0, 1, 2])),
             (ValueError, r"t_s\[1\]", lambda: model.motion([1, 0], [0, 1])),
+            (tactus.Error, "rate_hz is 1e\\+300; it has to be from 1", lambda: model.push([0, 1], [0, 1], rate_hz=1e300)),
+            (tactus.Error, "rate_hz is 0.5", lambda: model.experiment("hysteresis", rate_hz=0.5)),
             (ValueError, "mass_kg is 0.0", lambda: model.push([0, 1], [0, 1], mass_kg=0)),
             (TypeError, "x_m has to hold real numbers", lambda: model.motion([0, 1], ["a", "b"])),
         ):

@@ -78,6 +78,20 @@ class LiveTest(FolderTest):
             for name, value in tick.items():
                 self.assertEqual(value, row[name].item(), name)
 
+    def test_threads_share_the_ticks(self):
+        found = [[], []]
+        with self.served(self.image) as run_dir, tactus.connect(run_dir) as controller:
+            with controller.watch("tick") as ticks:
+                threads = [
+                    threading.Thread(target=lambda own=own: own.extend(itertools.islice(ticks, 200))) for own in found
+                ]
+                for thread in threads:
+                    thread.start()
+                for thread in threads:
+                    thread.join()
+        numbers = sorted(tick["tick"] for own in found for tick in own)
+        self.assertEqual(len(set(numbers)), 400)
+
     def test_fields_and_every_choose(self):
         with self.served(self.image) as run_dir, tactus.connect(run_dir) as controller:
             with controller.watch(["tick", "force"], every=5) as ticks:

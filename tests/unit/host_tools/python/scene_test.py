@@ -99,6 +99,8 @@ class SceneTest(FolderTest):
             tactus.Scene(self.folder / "nothing.tactus")
         with self.assertRaises(TypeError):
             tactus.Scene(7)
+        with self.assertRaisesRegex(ValueError, "has a zero in it"):
+            tactus.Scene("a\0b")
 
     def test_a_mesh_has_the_corners_of_its_file(self):
         scene = tactus.Scene(self.baked_example("gem"))
