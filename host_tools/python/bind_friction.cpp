@@ -42,7 +42,8 @@ class FrictionModel {
 
 // Returns the rate. Throws InputError if it is not one of the program's.
 double checked_rate(double rate_hz) {
-  if (!(rate_hz >= kLeastFrictionRate_hz && rate_hz <= kMostFrictionRate_hz)) {
+  const bool is_known = rate_hz >= kLeastFrictionRate_hz && rate_hz <= kMostFrictionRate_hz;
+  if (!is_known) {
     throw InputError(fmt::format("rate_hz is {}; it has to be from {} to {}", rate_hz,
                                  kLeastFrictionRate_hz, kMostFrictionRate_hz));
   }
