@@ -8,7 +8,6 @@ import pathlib
 import signal
 import subprocess
 import tempfile
-import time
 
 import matplotlib.pyplot as plt
 import numpy as np
@@ -25,13 +24,11 @@ simulation = subprocess.Popen(
     cwd=place,
     stdout=subprocess.DEVNULL,
 )
-while not (place / "run" / "command.sock").exists() and simulation.poll() is None:
-    time.sleep(0.01)
 
 # %% Home it, let it push, and watch some seconds: a dictionary for each tick.
 ticks = []
 try:
-    with tactus.connect(place / "run") as controller:
+    with tactus.connect(place / "run", timeout_s=30) as controller:
         controller.home()
         controller.enable()
         print("max_force_N is", controller.get("max_force_N"))
@@ -60,11 +57,9 @@ for name, values in live.items():
     np.testing.assert_array_equal(values, exported[name])
 print(f"{len(ticks)} ticks: live, recorded and exported are equal")
 
-
 # %% The force over the depth: the points that came live, on the curve of the recording.
 def size_of(run):
     return np.sqrt(sum(run[f"rendered_{axis}_N"] ** 2 for axis in "xyz"))
-
 
 figure, axis = plt.subplots()
 axis.plot(1e3 * recorded["depth_m"], size_of(recorded), linewidth=4.0, alpha=0.35, label="recording")

@@ -6,7 +6,7 @@ import time
 from typing import Any, Dict, Iterator, List, Optional, Sequence, Tuple, Union
 
 from . import _core
-from ._arrays import PathLike, above_zero, path_text, texts
+from ._arrays import PathLike, above_zero, numbers, path_text, texts
 
 Value = Union[float, str]
 
@@ -160,17 +160,33 @@ class Controller:
 
 
 def connect(
-    run_dir: Optional[PathLike] = None, device: Union[int, str] = 1, serial: Optional[str] = None
+    run_dir: Optional[PathLike] = None,
+    device: Union[int, str] = 1,
+    serial: Optional[str] = None,
+    *,
+    timeout_s: float = 0.0,
 ) -> Controller:
     """Reaches a running controller, as the verbs of `tactus` do.
 
     `run_dir` is the folder of its sockets; without it that of TACTUS_RUN_DIR, or /run/tactus. `device` is
     a device's name or its number, 1 for the first. `serial` is the line of a bare board in place of a
     folder: "/dev/ttyACM0", or "unix:PATH" of an emulator. Raises Unreachable, with the remedy, if nobody
-    answers there.
+    answers there in `timeout_s`: more than 0 waits for a controller that is about to start.
     """
+    end_s = time.monotonic() + float(numbers("timeout_s", timeout_s, ()))
     folder = os.environ.get("TACTUS_RUN_DIR", _core.DEFAULT_RUN_DIR) if run_dir is None else run_dir
-    controller = Controller(_core.ControllerPlace(path_text("run_dir", folder), str(device), serial or ""))
+    while True:
+        try:
+            return _reach(path_text("run_dir", folder), str(device), serial or "")
+        except _core.Unreachable:
+            if time.monotonic() >= end_s:
+                raise
+        time.sleep(0.02)
+
+
+def _reach(run_dir: str, device: str, serial: str) -> Controller:
+    """Returns the controller once it has answered."""
+    controller = Controller(_core.ControllerPlace(run_dir, device, serial))
     try:
         controller._ask("status")
     except _core.Error:

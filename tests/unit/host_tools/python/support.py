@@ -8,7 +8,6 @@ import signal
 import subprocess
 import sys
 import tempfile
-import time
 import unittest
 
 import tactus
@@ -73,15 +72,11 @@ class FolderTest(unittest.TestCase):
         process = subprocess.Popen(
             [PROGRAM, "sim", *map(str, arguments), "--serve", "--run-dir", str(run_dir)],
             stdout=subprocess.DEVNULL,
-            stderr=subprocess.PIPE,
-            text=True,
+            stderr=subprocess.DEVNULL,
         )
         try:
-            while not (run_dir / "command.sock").exists():
-                if process.poll() is not None:
-                    self.fail(f"tactus sim --serve has ended: {process.stderr.read()}")
-                time.sleep(0.01)
+            tactus.connect(run_dir, timeout_s=60).close()
             yield run_dir
         finally:
             process.send_signal(signal.SIGINT)
-            process.communicate(timeout=60)
+            process.wait(timeout=60)
