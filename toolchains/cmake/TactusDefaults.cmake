@@ -36,12 +36,11 @@ add_compile_definitions(${TACTUS_ARITHMETIC_DEFINITIONS})
 # Nobody reads errno after a square root; without it the compiler may use the machine's own instruction.
 add_compile_options(-fno-math-errno)
 
-# A shared library, such as the Python module, may link our static ones: their code runs at any address. What no other library may
-# replace costs nothing by that: symbols are hidden, and a function is inlined as in a program. Bare metal has no shared libraries.
+# A shared library, such as the Python module, may link our static ones: their code runs at any address. That costs nothing where no
+# other library may replace a symbol: tactus_library hides them, and a function is inlined as in a program. Bare metal has no shared
+# libraries.
 if(TACTUS_HOSTED)
   set(CMAKE_POSITION_INDEPENDENT_CODE ON)
-  set(CMAKE_CXX_VISIBILITY_PRESET hidden)
-  set(CMAKE_VISIBILITY_INLINES_HIDDEN ON)
   add_compile_options(-fno-semantic-interposition)
 endif()
 
