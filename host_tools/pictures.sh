@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Makes the pictures of the READMEs anew: the repository's, and those of rendering/, rendering/bodies/, rendering/friction/,
-# rendering/needle/ and host_tools/certify/. Needs a built `tactus`:
+# rendering/needle/, host_tools/certify/ and host_tools/python/. Needs a built `tactus`:
 # host_tools/demo.sh builds one.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
@@ -76,6 +76,20 @@ cp "$examples/devices/falcon.toml" "$work/"
 "$tactus" certify "$work/falcon.toml" >"$work/log"
 cp "$work/falcon.zwidth.png" "$pictures/falcon_zwidth.png"
 echo "$pictures/falcon_zwidth.png"
+
+# Two examples of the Python module, of host_tools/python/README.md.
+pictures=host_tools/python/pictures
+module="$(dirname "$tactus")/../python"
+if [[ -d "$module" ]]; then
+  mkdir -p "$pictures"
+  for example in touch_mesh friction_models; do
+    PYTHONPATH="$module" PYTHONDONTWRITEBYTECODE=1 /usr/bin/python3 "host_tools/python/examples/$example.py" "$work" >"$work/log"
+    cp "$work/$example.png" "$pictures/"
+    echo "$pictures/$example.png"
+  done
+else
+  echo "no Python module in $module: the pictures of host_tools/python stay as they are"
+fi
 
 # Ticks, of host_tools/explain/README.md.
 pictures=host_tools/explain/pictures

@@ -7,8 +7,9 @@ source tests/checks/tracked_files.sh
 usage() {
   cat <<END
 usage: toolchains/debian-packages.sh [ARCHITECTURE]
-Makes tactus, tactusd and libtactus-dev for Debian 12 in build/packages/ARCHITECTURE. ARCHITECTURE: amd64, arm64, armhf; by default
-this machine's. Installs what it needs, as root or through sudo; the libraries for another processor go into a sysroot.
+Makes tactus, tactusd, libtactus-dev and, for the processor of this machine, python3-tactus for Debian 12 in build/packages/ARCHITECTURE.
+ARCHITECTURE: amd64, arm64, armhf; by default this machine's. Installs what it needs, as root or through sudo; the libraries for another
+processor go into a sysroot.
 Example:
   toolchains/debian-packages.sh arm64 && scp build/packages/arm64/*.deb board:
 END

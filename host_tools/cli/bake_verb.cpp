@@ -4,16 +4,14 @@
 
 #include <CLI/CLI.hpp>
 #include <cstdio>
+#include <filesystem>
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <string>
 
-#include "host_tools/bake/device/certificate_file.h"
+#include "host_tools/bake/bake_json.h"
 #include "host_tools/bake/device/device_bake.h"
 #include "host_tools/bake/scene/bake.h"
 #include "host_tools/cli/bake_report.h"
-#include "host_tools/files/atomic_file.h"
-#include "host_tools/files/output_place.h"
 
 namespace tactus::host {
 namespace {
@@ -38,54 +36,14 @@ struct BakeOptions {
   bool quiet = false;
 };
 
-nlohmann::ordered_json to_json(const ObjectReport& object) {
-  return {{"name", object.name},
-          {"mesh", object.mesh},
-          {"triangles", object.triangles},
-          {"vertices", object.vertices},
-          {"dropped_triangles", object.counters.degenerate_triangles},
-          {"welded_vertices", object.counters.welded_vertices},
-          {"open_edges", object.counters.open_edges},
-          {"non_manifold_edges", object.counters.non_manifold_edges},
-          {"inconsistent_edges", object.counters.inconsistent_edges},
-          {"lines_and_points", object.lines_and_points},
-          {"bytes", object.bytes},
-          {"bytes_per_triangle",
-           static_cast<double>(object.bytes) / static_cast<double>(object.triangles)},
-          {"seconds", object.seconds},
-          {"warnings", object.warnings}};
-}
-
-void print_json(const BakeReport& report) {
-  nlohmann::ordered_json json{{"image", report.image},
-                              {"tool_radius_m", report.tool_radius_m},
-                              {"bytes", report.bytes},
-                              {"seconds", report.seconds},
-                              {"objects", nlohmann::ordered_json::array()}};
-  for (const ObjectReport& object : report.objects) {
-    json["objects"].push_back(to_json(object));
-  }
-  fmt::print("{}\n", json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace));
-}
-
-// Bakes a device file. Its certificate is an input too, and must not be overwritten.
+// Bakes a device file.
 void run_device(const BakeOptions& options, const std::filesystem::path& output) {
-  keep_inputs_safe({output}, {options.scene, certificate_path(options.scene)});
-  const LoadedDevice device = bake_device(options.scene);
-  write_file_atomically(output, device.image());
+  const LoadedDevice device = bake_device_file(options.scene, output);
   for (const std::string& warning : device.warnings()) {
     fmt::print(stderr, "tactus bake: warning: {}\n", warning);
   }
   if (options.json) {
-    const firmware::DeviceConfig& config = device.config();
-    const nlohmann::ordered_json json{{"image", output.string()},
-                                      {"bytes", device.image().size()},
-                                      {"joints", config.joint_count},
-                                      {"axes", config.axis_count},
-                                      {"connections", config.connection_count},
-                                      {"rate_hz", config.controller.rate_hz},
-                                      {"certified", config.certification.limits.exists()}};
-    fmt::print("{}\n", json.dump());
+    fmt::print("{}\n", bake_json(device, output));
   } else if (!options.quiet) {
     fmt::print("{}: {} bytes, {}\n", output.string(), device.image().size(),
                in_words(device.config()));
@@ -105,7 +63,7 @@ void run(const BakeOptions& options) {
       options.quiet ? bake_file(options.scene, output) : bake_with_progress(options.scene, output);
   print_bake_warnings("bake", report);
   if (options.json) {
-    print_json(report);
+    fmt::print("{}\n", bake_json(report));
   } else if (!options.quiet) {
     print_bake_table(report);
   }

@@ -63,13 +63,8 @@ struct FrictionOptions {
 
 // Returns the published parameters with the user's changes. Throws InputError.
 rendering::FrictionParameters parameters_from(const FrictionOptions& options) {
-  const ForceScale scale = options.normal_force_N ? ForceScale::per_newton : ForceScale::newton;
-  rendering::FrictionParameters parameters = published_parameters(friction_kind(options.model));
-  for (const std::string& assignment : options.parameters) {
-    set_parameter(parameters, assignment, scale);
-  }
-  check_parameters(parameters, scale);
-  return parameters;
+  return changed_parameters(options.model, options.parameters,
+                            options.normal_force_N ? ForceScale::per_newton : ForceScale::newton);
 }
 
 // A value that does not exist is NaN in the table and null in JSON.
@@ -209,8 +204,6 @@ void run_friction(const FrictionOptions& options) {
 }  // namespace
 
 void add_friction_verb(CLI::App& app) {
-  constexpr double kLeastRate_hz = 1.0;
-  constexpr double kMostRate_hz = 1e6;
   CLI::App* verb = app.add_subcommand(
       "friction", "Run a friction model on a motion, on a pushed mass, or in an experiment");
   const auto options = std::make_shared<FrictionOptions>();
@@ -232,7 +225,7 @@ void add_friction_verb(CLI::App& app) {
       ->check(CLI::PositiveNumber);
   verb->add_option("--rate-hz", options->rate_hz,
                    "Ticks a second; default 1000, of a motion one a row")
-      ->check(CLI::Range(kLeastRate_hz, kMostRate_hz));
+      ->check(CLI::Range(kLeastFrictionRate_hz, kMostFrictionRate_hz));
   verb->add_option("-o,--output", options->output, "Write the result to this CSV file");
   verb->add_option("--figure", options->figure, "Draw it into this .png, .svg or .pdf file")
       ->check(picture_complaint);

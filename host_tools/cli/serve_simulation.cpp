@@ -23,7 +23,6 @@
 #include "host_tools/cli/served_device.h"
 #include "host_tools/input_error.h"
 #include "rendering/limits.h"
-#include "rendering/scene/scene_world.h"
 
 namespace tactus::host {
 namespace {
@@ -45,10 +44,9 @@ class ServedSimulation {
   ServedSimulation(const std::filesystem::path& scene, const RunOptions& run, ServeOptions options)
       : options_(std::move(options)), rate_hz_(run.rate_hz) {
     const rendering::SceneImage& image = open(scene);
-    RunPlan plan = plan_run(run, image.objects(), image.tool_radius_m());
+    RunPlan plan = plan_run(run, image);
     for (SimulationConfig& config : plan.devices) {
       config.path = config.path.there_and_back();
-      config.world = rendering::world_of(image);
     }
     for (const std::string& warning : plan.warnings) {
       fmt::print(stderr, "tactus sim: warning: {}\n", warning);

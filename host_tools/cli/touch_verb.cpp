@@ -24,8 +24,6 @@
 #include "host_tools/touch/tool_paths.h"
 #include "host_tools/touch/tool_record.h"
 #include "host_tools/touch/touch_summary.h"
-#include "rendering/scene/scene_world.h"
-#include "rendering/world/world.h"
 
 namespace tactus::host {
 namespace {
@@ -56,6 +54,9 @@ constexpr const char* kTouchExamples =
     "  tactus touch scene.tactus --path path.csv --output out.csv --explain steps.csv\n"
     "                                       and every step of every tick: moves, planes, "
     "multipliers, friction circles\n"
+    "  tactus touch scene.tactus --path path.csv --output out.csv --hashes out.txt\n"
+    "                                       and one number a tick, by which two runs are the same "
+    "to the bit\n"
     "  tactus touch scene.tactus --path corners.csv --rate 1000 --output out.csv\n"
     "                                       a path of a few corners, a tick every millisecond\n"
     "  tactus touch scene.tactus --path thumb.csv --path finger.csv --output run.csv --explain "
@@ -78,6 +79,7 @@ struct TouchOptions {
   std::vector<std::string> paths;
   std::string output;
   std::string explain;
+  std::string hashes;
   BodyFileNames bodies;
   // Ticks in a second; nothing: one row is one tick.
   std::optional<double> rate_Hz;
@@ -92,15 +94,18 @@ std::vector<ToolFiles> output_files(const TouchOptions& options) {
   std::vector<ToolFiles> files;
   std::vector<std::filesystem::path> outputs;
   for (std::size_t i = 0; i < options.paths.size(); ++i) {
-    files.push_back(
-        {.rows = file_of_tool(options.output, i), .steps = file_of_tool(options.explain, i)});
+    files.push_back({.rows = file_of_tool(options.output, i),
+                     .steps = file_of_tool(options.explain, i),
+                     .hashes = file_of_tool(options.hashes, i)});
     outputs.push_back(files.back().rows);
     outputs.push_back(files.back().steps);
+    outputs.push_back(files.back().hashes);
   }
   outputs.emplace_back(options.bodies.places);
   outputs.emplace_back(options.bodies.energy);
   refuse_shared_pipe(options.output, files.size());
   refuse_shared_pipe(options.explain, files.size());
+  refuse_shared_pipe(options.hashes, files.size());
   keep_inputs_safe(outputs, inputs);
   return files;
 }
@@ -147,15 +152,10 @@ void run(const TouchOptions& options) {
   const std::vector<ToolFiles> files = output_files(options);
   const MappedScene scene(options.scene);
   const ToolPaths paths = read_paths(options);
-  const auto world = std::make_unique<rendering::WorldOf<rendering::kMaxTools>>();
-  rendering::WorldConfig config = rendering::world_of(scene.image());
-  config.tool_count = paths.tools();
-  if (!world->set_scene(scene.image().objects(), config)) {
-    throw InputError(fmt::format("{}: the world refuses the scene; bake it again", options.scene));
-  }
+  const auto world = world_of_tools(scene.image(), paths.tools(), options.scene);
   std::deque<ToolRecord> records;
   for (const ToolFiles& own : files) {
-    records.emplace_back(own, config.tool_radius_m);
+    records.emplace_back(own, scene.image().tool_radius_m());
   }
   BodyFiles bodies(options.bodies, scene.image());
   {
@@ -194,6 +194,9 @@ void add_touch_verb(CLI::App& app) {
       "--explain", options->explain,
       "Write every step of every tick to this CSV file (host_tools/explain/README.md); those of a "
       "second tool to NAME.2.csv, and so on");
+  verb->add_option("--hashes", options->hashes,
+                   "Write the state hash of every tick to this file; those of a second tool to "
+                   "NAME.2.csv, and so on");
   verb->add_option("--bodies", options->bodies.places,
                    "Write where each body is at each tick to this CSV file");
   verb->add_option("--body-energy", options->bodies.energy,

@@ -3,50 +3,17 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <string>
 #include <string_view>
-#include <type_traits>
-#include <variant>
 #include <vector>
 
+#include "host_tools/export/column_array.h"
 #include "host_tools/export/zip_writer.h"
 
 namespace tactus::host {
 namespace {
-
-static_assert(std::endian::native == std::endian::little, "the arrays are little-endian");
-
-// The values of a column: a number's bits for each tick, or a word, which lives as long as the
-// program.
-struct ColumnArray {
-  // The array's type in numpy's notation; empty for words, whose length is not known before the
-  // last tick.
-  std::string_view type;
-  std::vector<std::uint64_t> numbers;
-  std::vector<std::string_view> words;
-};
-
-void append(ColumnArray& array, const ColumnValue& value) {
-  std::visit(
-      [&](const auto& each) {
-        using Value = std::remove_cvref_t<decltype(each)>;
-        if constexpr (std::is_same_v<Value, std::string_view>) {
-          array.words.push_back(each);
-        } else if constexpr (std::is_same_v<Value, HashValue>) {
-          array.type = "<u8";
-          array.numbers.push_back(each.hash);
-        } else {
-          array.type = std::is_same_v<Value, double>         ? "<f8"
-                       : std::is_same_v<Value, std::int64_t> ? "<i8"
-                                                             : "<u8";
-          array.numbers.push_back(std::bit_cast<std::uint64_t>(each));
-        }
-      },
-      value);
-}
 
 // Returns the head of an array in the format NPY, version 1.0: its bytes end at a multiple of 64.
 std::string npy_head(std::string_view type, std::size_t count) {
@@ -62,32 +29,16 @@ std::string npy_head(std::string_view type, std::size_t count) {
   return head + words;
 }
 
-// Writes words as numpy's texts: four bytes a character, filled up with zeros.
-void write_words(const std::vector<std::string_view>& words, ZipWriter& zip) {
-  std::size_t longest = 1;
-  for (const std::string_view word : words) {
-    longest = std::max(longest, word.size());
-  }
-  zip.write(npy_head(fmt::format("<U{}", longest), words.size()));
-  std::vector<char32_t> characters(longest);
-  for (const std::string_view word : words) {
-    const auto end = std::ranges::transform(word, characters.begin(), [](char each) {
-                       return static_cast<char32_t>(static_cast<unsigned char>(each));
-                     }).out;
-    std::fill(end, characters.end(), U'\0');
-    zip.write(std::as_bytes(std::span(characters)));
-  }
-}
-
 void write_array(const std::string& name, const ColumnArray& array, ZipWriter& zip) {
-  constexpr std::size_t kLargestWord_bytes = 256;
-  zip.begin(name + ".npy",
-            array.numbers.size() * sizeof(double) + array.words.size() * kLargestWord_bytes);
-  if (array.words.empty()) {
-    zip.write(npy_head(array.type, array.numbers.size()));
-    zip.write(std::as_bytes(std::span(array.numbers)));
+  zip.begin(name + ".npy", array.size() * array.value_bytes());
+  zip.write(npy_head(array.type(), array.size()));
+  if (array.has_words()) {
+    for (std::size_t i = 0; i < array.size(); ++i) {
+      const std::vector<char32_t> text = array.text(i);
+      zip.write(std::as_bytes(std::span(text)));
+    }
   } else {
-    write_words(array.words, zip);
+    zip.write(std::as_bytes(std::span(array.numbers())));
   }
   zip.end();
 }
@@ -101,7 +52,7 @@ void write_columns(Recording& recording, const ExportChoice& choice,
   visit_chosen_ticks(recording, choice, see, [&](const firmware::RecordedTick& tick) {
     read_columns(tick, joints, values);
     for (std::size_t i = 0; i < columns.size(); ++i) {
-      append(arrays[i], values[columns[i].index]);
+      arrays[i].append(values[columns[i].index]);
     }
   });
   for (std::size_t i = 0; i < columns.size(); ++i) {

@@ -11,6 +11,10 @@
 
 namespace tactus::host {
 
+// The rates of steps that the tools take, Hz.
+inline constexpr double kLeastFrictionRate_hz = 1.0;
+inline constexpr double kMostFrictionRate_hz = 1e6;
+
 // One row of the output.
 struct FrictionSample {
   // The row's time, place and velocity. The velocity is the mean over a tick, except that of a

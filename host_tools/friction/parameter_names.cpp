@@ -210,6 +210,17 @@ void check_parameters(const FrictionParameters& parameters, ForceScale scale) {
   }
 }
 
+rendering::FrictionParameters changed_parameters(std::string_view model,
+                                                 std::span<const std::string> assignments,
+                                                 ForceScale scale) {
+  rendering::FrictionParameters parameters = published_parameters(friction_kind(model));
+  for (const std::string& assignment : assignments) {
+    set_parameter(parameters, assignment, scale);
+  }
+  check_parameters(parameters, scale);
+  return parameters;
+}
+
 std::string in_words(std::span<const std::string_view> names, std::string_view last_joint) {
   const auto first = names.first(names.size() - 1);
   return fmt::format("{} {} {}", fmt::join(first, ", "), last_joint, names.back());

@@ -67,6 +67,12 @@ rendering::FrictionParameters published_parameters(rendering::FrictionKind kind)
 void set_parameter(rendering::FrictionParameters& parameters, std::string_view assignment,
                    ForceScale scale);
 
+// Returns the published parameters of a model with changes like "sigma0=1e5". Throws InputError as
+// the functions below and above do.
+rendering::FrictionParameters changed_parameters(std::string_view model,
+                                                 std::span<const std::string> assignments,
+                                                 ForceScale scale);
+
 // Throws InputError if Fs is below Fc, or a model lacks the stiffness that it needs.
 void check_parameters(const rendering::FrictionParameters& parameters, ForceScale scale);
 

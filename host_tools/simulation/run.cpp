@@ -13,6 +13,7 @@
 #include "host_tools/input_error.h"
 #include "host_tools/simulation/wish_path_file.h"
 #include "rendering/limits.h"
+#include "rendering/scene/scene_world.h"
 
 namespace tactus::host {
 namespace {
@@ -196,6 +197,14 @@ RunPlan plan_run(const RunOptions& options, std::span<const rendering::Object> o
   plan.seconds = options.seconds.value_or(end_s);
   if (!(plan.seconds > 0.0) || !std::isfinite(plan.seconds)) {
     throw InputError("--seconds must be positive");
+  }
+  return plan;
+}
+
+RunPlan plan_run(const RunOptions& options, const rendering::SceneImage& scene) {
+  RunPlan plan = plan_run(options, scene.objects(), scene.tool_radius_m());
+  for (SimulationConfig& config : plan.devices) {
+    config.world = rendering::world_of(scene);
   }
   return plan;
 }

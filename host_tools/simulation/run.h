@@ -13,6 +13,7 @@
 
 #include "host_tools/simulation/run_summary.h"
 #include "host_tools/simulation/simulation.h"
+#include "rendering/scene/scene_image.h"
 
 namespace tactus::host {
 
@@ -54,6 +55,10 @@ struct RunPlan {
 // InputError for names, numbers and files that cannot be used.
 RunPlan plan_run(const RunOptions& options, std::span<const rendering::Object> objects,
                  double tool_radius_m);
+
+// Does the same for a scene, whose effects, bodies and needle the first device's world then has.
+// The image must outlive the plan.
+RunPlan plan_run(const RunOptions& options, const rendering::SceneImage& scene);
 
 // A fault and the number of its device, 0 for the first.
 struct DeviceFaultEvent {

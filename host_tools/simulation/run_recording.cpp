@@ -22,17 +22,28 @@ std::size_t joints_of_device(const Simulation& simulation, std::size_t device) {
   return firmware::joint_count(simulation.config(device).mechanism);
 }
 
+std::int64_t due_ns(std::uint64_t tick, double rate_hz) {
+  return std::llround(1e9 / rate_hz * static_cast<double>(tick));
+}
+
 [[noreturn]] void fail(const std::filesystem::path& path, int error) {
   throw InputError(fmt::format("{}: cannot write: {}", path.string(), std::strerror(error)));
 }
 
 }  // namespace
 
+firmware::RecordedTick recorded_tick(const Simulation& simulation, std::size_t device) {
+  firmware::RecordedTick tick{.record = simulation.record(device)};
+  tick.loop.scheduled_ns = due_ns(tick.record.tick, simulation.config(device).rate_hz);
+  tick.joint_count = static_cast<std::uint32_t>(joints_of_device(simulation, device));
+  return tick;
+}
+
 RunRecording::RunRecording(const std::filesystem::path& path, const Simulation& simulation,
                            std::span<const std::byte> scene, std::size_t device)
     : path_(path),
       place_(output_place(path, OutputKind::file)),
-      tick_ns_(1e9 / simulation.config().rate_hz),
+      rate_hz_(simulation.config().rate_hz),
       device_(device) {
   keep_images_safe(path);
   if (path.extension() == ".csv") {
@@ -71,9 +82,7 @@ void RunRecording::begin_mcap(const Simulation& simulation, std::span<const std:
 }
 
 void RunRecording::add(const Simulation& simulation) {
-  firmware::RecordedTick tick{.record = simulation.record(device_)};
-  tick.loop.scheduled_ns = due_ns(tick.record.tick);
-  tick.joint_count = static_cast<std::uint32_t>(joints_of_device(simulation, device_));
+  const firmware::RecordedTick tick = recorded_tick(simulation, device_);
   if (csv_) {
     csv_->add(tick);
   } else {
@@ -83,13 +92,9 @@ void RunRecording::add(const Simulation& simulation) {
 
 void RunRecording::add(firmware::Explanation explanation) {
   if (mcap_) {
-    explanation.time_ns = due_ns(explanation.tick);
+    explanation.time_ns = due_ns(explanation.tick, rate_hz_);
     mcap_->add(explanation);
   }
-}
-
-std::int64_t RunRecording::due_ns(std::uint64_t tick) const {
-  return std::llround(tick_ns_ * static_cast<double>(tick));
 }
 
 void RunRecording::close() {

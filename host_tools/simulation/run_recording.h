@@ -16,6 +16,10 @@
 
 namespace tactus::host {
 
+// Returns a device's last tick as a recording has it. There is no clock in a simulation: a tick is
+// due at its number times the period.
+firmware::RecordedTick recorded_tick(const Simulation& simulation, std::size_t device = 0);
+
 // An open recording. It is written to a temporary file that takes its place at close().
 class RunRecording {
  public:
@@ -36,15 +40,11 @@ class RunRecording {
   // The output as the user named it, for messages.
   std::filesystem::path path_;
   OutputPlace place_;
-  // Returns when a tick is due, ns. There is no clock in a simulation: a tick's time is its number
-  // times the period.
-  [[nodiscard]] std::int64_t due_ns(std::uint64_t tick) const;
-
   // Open the temporary file. Throw InputError if it cannot be written.
   void begin_csv(std::size_t joints);
   void begin_mcap(const Simulation& simulation, std::span<const std::byte> scene);
 
-  double tick_ns_;
+  double rate_hz_;
   std::size_t device_;
   // The writer of the file's format; the other is null.
   std::unique_ptr<firmware::McapWriter> mcap_;

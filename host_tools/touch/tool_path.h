@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "rendering/geometry/vector.h"
@@ -18,6 +19,12 @@ class ToolPath {
   // Reads the columns t_s, x_m, y_m and z_m; one row is one tick. Throws InputError that names
   // file, line and column.
   explicit ToolPath(const std::string& file);
+  // Takes over positions at times that grow; there are as many of both, at least one. `name` stands
+  // for the file in messages.
+  ToolPath(std::string name, std::vector<double> times_s, std::vector<Vec3> positions_W)
+      : file_(std::move(name)),
+        times_s_(std::move(times_s)),
+        positions_W_(std::move(positions_W)) {}
 
   // Returns this path at `rate_Hz`: straight from row to row, from the first time to the last.
   // Throws InputError if that is more than ten million ticks.
@@ -41,7 +48,7 @@ class ToolPath {
  private:
   ToolPath() = default;
 
-  // The file and, for messages, the line of each tick's row; empty for a sampled path.
+  // The file and, for messages, the line of each tick's row; empty without a file.
   std::string file_;
   std::vector<std::size_t> lines_;
   std::vector<double> times_s_;

@@ -7,6 +7,9 @@ ToolRecord::ToolRecord(const ToolFiles& files, double tool_radius_m)
   if (!files.steps.empty()) {
     steps_.emplace(files.steps);
   }
+  if (!files.hashes.empty()) {
+    hashes_.emplace(files.hashes);
+  }
 }
 
 rendering::TickWatcher* ToolRecord::begin() {
@@ -19,6 +22,9 @@ void ToolRecord::add(std::size_t tick, double t_s, const rendering::ToolState& t
   if (steps_) {
     steps_->add(explainer_.finish(tick, t_s, tool.p_W, touch));
   }
+  if (hashes_) {
+    hashes_->add(hash_.add(tick, t_s, tool, touch));
+  }
   rows_.add(t_s, tool.p_W, touch);
   summary_.add(touch);
 }
@@ -27,6 +33,9 @@ void ToolRecord::close() {
   rows_.close();
   if (steps_) {
     steps_->close();
+  }
+  if (hashes_) {
+    hashes_->close();
   }
 }
 

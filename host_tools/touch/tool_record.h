@@ -7,7 +7,9 @@
 
 #include "host_tools/explain/explainer.h"
 #include "host_tools/explain/steps_csv.h"
+#include "host_tools/simulation/run_log.h"
 #include "host_tools/touch/touch_csv.h"
+#include "host_tools/touch/touch_hash.h"
 #include "host_tools/touch/touch_summary.h"
 #include "rendering/contact/tick_watcher.h"
 #include "rendering/touch.h"
@@ -20,6 +22,8 @@ struct ToolFiles {
   std::filesystem::path rows;
   // Every step of every tick; empty if they are not wanted.
   std::filesystem::path steps;
+  // The state hash of every tick; empty if they are not wanted.
+  std::filesystem::path hashes;
 };
 
 // Writes each tick of one tool: begin(), the world's touch with the watcher, add().
@@ -41,6 +45,8 @@ class ToolRecord {
  private:
   TouchCsv rows_;
   std::optional<StepsCsv> steps_;
+  std::optional<HashLog> hashes_;
+  TouchHash hash_;
   Explainer explainer_;
   TouchSummary summary_;
 };

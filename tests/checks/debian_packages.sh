@@ -14,10 +14,10 @@ fail() { echo "packages: $*" >&2 && exit 1; }
 # The control file is the second list of what a build needs; it says no less and no more than the first.
 build_depends_follow_the_list() {
   local wanted listed
-  wanted="$(toolchains/install-packages.sh --list libraries foxglove | cut -d / -f 1 | sort)"
-  listed="$(sed -n '/^Build-Depends:/,/^[A-Z].*:/p' debian/control | grep -oE '[a-z0-9.+-]+-dev\b|nlohmann-json3-dev' | sort)"
+  wanted="$(toolchains/install-packages.sh --list libraries foxglove python | cut -d / -f 1 | sort)"
+  listed="$(sed -n '/^Build-Depends:/,/^[A-Z].*:/p' debian/control | grep -oE '[a-z0-9.+-]+-dev\b|nlohmann-json3-dev|python3-numpy' | sort)"
   diff <(echo "$wanted") <(echo "$listed") ||
-    fail "Build-Depends in debian/control (right) are not the groups [libraries] and [foxglove] of toolchains/packages.txt (left)"
+    fail "Build-Depends in debian/control (right) are not the groups [libraries], [foxglove] and [python] of toolchains/packages.txt (left)"
 }
 
 has() { grep -qx "\./$2" < <(dpkg --contents "$packages/$1"_*.deb | awk '{print $6}') || fail "$1 has no $2"; }
@@ -40,6 +40,12 @@ contents_are_complete() {
   has libtactus-dev usr/include/tactus/rendering/world/world.h
   has libtactus-dev 'usr/lib/[^/]*/libtactus_rendering.a'
   has libtactus-dev 'usr/lib/[^/]*/cmake/tactus/tactusConfig.cmake'
+  if [[ "$architecture" != "$machine" ]]; then return; fi
+  has python3-tactus usr/lib/python3/dist-packages/tactus/__init__.py
+  has python3-tactus usr/lib/python3/dist-packages/tactus/py.typed
+  has python3-tactus 'usr/lib/python3/dist-packages/tactus/_core[.]cpython-.*[.]so'
+  has python3-tactus usr/share/doc/python3-tactus/examples/touch_mesh.py
+  dpkg-deb --field "$packages"/python3-tactus_*.deb Depends | grep -q 'python3-numpy.*python3 (>= ' || fail "python3-tactus does not say which Python it needs"
 }
 
 dependencies_are_found() {
@@ -67,6 +73,23 @@ programs_run() {
   host_tools/bunny_mesh.sh "$work/bunny/bunny00.off"
   cp "$root"/usr/share/tactus/examples/bunny/* "$work/bunny"
   "$root/usr/bin/tactus" demo "$work/bunny"
+}
+
+# The module touches a scene as the program does, and an example of the package draws its figure.
+module_works() {
+  local examples="$root/usr/share/doc/python3-tactus/examples" hashes="$work/hashes.csv"
+  in_python() { PYTHONPATH="$root/usr/lib/python3/dist-packages" TACTUS_EXAMPLES="$root/usr/share/tactus/examples" /usr/bin/python3 "$@"; }
+  "$root/usr/bin/tactus" touch "$work/ramp.tactus" --path "$root/usr/share/tactus/examples/heart/stroke.csv" --output "$work/touch.csv" --hashes "$hashes"
+  in_python - "$work/ramp.tactus" "$root/usr/share/tactus/examples/heart/stroke.csv" "$hashes" <<'END' || fail "import tactus touches otherwise"
+import sys
+import numpy
+import tactus
+path = numpy.genfromtxt(sys.argv[2], delimiter=",", names=True)
+touch = tactus.Scene(sys.argv[1]).touch(numpy.column_stack([path[axis] for axis in ("x_m", "y_m", "z_m")]), t_s=path["t_s"])
+assert f"{touch.state_hash[-1]:016x}" == open(sys.argv[3]).read().split(",")[-1].strip()
+END
+  in_python "$examples/touch_mesh.py" "$work"
+  [[ -s "$work/touch_mesh.png" ]] || fail "the example touch_mesh.py drew no picture"
 }
 
 # Every page formats without a warning, and has a name, a synopsis and, for a verb that --help lists, its options.
@@ -162,8 +185,9 @@ apt_installs_on_a_clean_debian() {
   in_clean sh -c 'apt-get -qq update && apt-get -q --yes --no-install-recommends install /tmp/*.deb' || fail "apt cannot install the packages"
   in_clean sh -c 'cd /tmp && tactus bake /usr/share/tactus/examples/heart/scene.toml -o scene.tactus &&
     tactus touch scene.tactus --path /usr/share/tactus/examples/heart/stroke.csv --output touch.csv && wc -l touch.csv'
+  in_clean python3 -c 'import tactus; print(tactus.Scene("/tmp/scene.tactus"))'
   in_clean sh -c 'getent passwd tactus && systemctl is-enabled tactusd && tactusd --version'
-  in_clean sh -c 'apt-get -qq --yes purge tactusd tactus libtactus-dev && ! test -e /etc/tactus' || fail "apt cannot remove the packages"
+  in_clean sh -c 'apt-get -qq --yes purge tactusd tactus libtactus-dev python3-tactus && ! test -e /etc/tactus' || fail "apt cannot remove the packages"
 }
 
 build_depends_follow_the_list
@@ -175,6 +199,7 @@ dependencies_are_found
 if [[ "$architecture" == "$machine" ]]; then
   for package in "$packages"/*.deb; do dpkg --extract "$package" "$root"; done
   programs_run
+  module_works
   pages_read_well
   shell_completes
   tests/checks/embedding.sh "$root/usr"

@@ -126,6 +126,24 @@ served() {
 }
 check "foxglove serves the board" served
 check "record with --serial" says 'run2.mcap: [0-9]+ ticks, [0-9]+ to [0-9]+; no replay' "$on_board" record on "$work/run2.mcap" --seconds 1
+# The Python module, where the release build has it.
+python_board() {
+  says '^4\.0 active [0-9]+ in a row' env PYTHONPATH="$PWD/build/release/python" /usr/bin/python3 - "$line" <<'END'
+import itertools
+import sys
+import tactus
+with tactus.connect(serial=sys.argv[1]) as board:
+    force = board.get("max_force_N")
+    with board.watch(["tick", "mode"], timeout_s=30) as watched:
+        ticks = list(itertools.islice(watched, 200))
+    in_a_row = sum(after["tick"] == before["tick"] + 1 for before, after in zip(ticks, ticks[1:]))
+    assert in_a_row > 150, in_a_row
+    print(force, board.status()["mode"], in_a_row, "in a row")
+END
+}
+if compgen -G "build/release/python/tactus/_core*.so" >/dev/null; then
+  check "the Python module operates and watches it" python_board
+fi
 check "estop" says '^ok estop tick=[0-9]+ mode=fault' "$on_board" estop
 check "the stop is an operator's" says 'mode=fault faults=operator_stop' "$on_board" status
 check "enable is refused in fault with 1" ends_with 1 'refused enable' "$on_board" enable

@@ -36,6 +36,14 @@ add_compile_definitions(${TACTUS_ARITHMETIC_DEFINITIONS})
 # Nobody reads errno after a square root; without it the compiler may use the machine's own instruction.
 add_compile_options(-fno-math-errno)
 
+# A shared library, such as the Python module, may link our static ones: their code runs at any address. That costs nothing where no
+# other library may replace a symbol: tactus_library hides them, and a function is inlined as in a program. Bare metal has no shared
+# libraries.
+if(TACTUS_HOSTED)
+  set(CMAKE_POSITION_INDEPENDENT_CODE ON)
+  add_compile_options(-fno-semantic-interposition)
+endif()
+
 # A source is named from the repository's root, so that its object is the same wherever that lies.
 add_compile_options("-fmacro-prefix-map=${PROJECT_SOURCE_DIR}/=")
 
