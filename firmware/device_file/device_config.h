@@ -93,6 +93,7 @@ struct Commissioning {
 // are in use.
 struct DeviceConfig {
   std::string_view name;
+  std::string_view preset;      // `kind` of [mechanism], one of kPresetNames
   ControllerConfig controller;  // its joints' limits are those of `joints`
   PlantConfig plant;
   Certification certification;  // its limits are also the controller's

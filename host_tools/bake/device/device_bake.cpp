@@ -182,6 +182,20 @@ LoadedDevice bake_device(const std::filesystem::path& file) {
   return device;
 }
 
+LoadedDevice load_device(const std::filesystem::path& file) {
+  if (file.extension() != ".toml") {
+    const std::string text = read_file(file);
+    const auto bytes = std::as_bytes(std::span(text));
+    return {{bytes.begin(), bytes.end()}, file.string()};
+  }
+  if (!describes_device(file)) {
+    throw InputError(
+        fmt::format("{}: is no device, it has no [mechanism]; write a device.toml or its image",
+                    file.string()));
+  }
+  return bake_device(file);
+}
+
 std::string in_words(const firmware::DeviceConfig& config) {
   std::string text =
       fmt::format("{} joint{} on {} connection{} at {} Hz", config.joint_count,
