@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 #include "host_tools/simulation/described_device.h"
 #include "host_tools/simulation/device_workspace.h"
@@ -76,6 +77,11 @@ CertifiedDevice certified_device(const firmware::DeviceConfig& config) {
   DevicePreset preset = described_device(config);
   preset.device.plant.elbow_kg = 0.0;
   preset.device.plant.handle_kg = 0.0;
+  // The strongest joint's own limit counts, even where a preset's motors give less.
+  preset.device.effort_limit = 0.0;
+  for (const firmware::JointConfig& joint : std::span(config.joints).first(config.joint_count)) {
+    preset.device.effort_limit = std::max(preset.device.effort_limit, joint.limits.max_effort);
+  }
   const PlantMechanism& kind = preset.device.plant.mechanism;
   WallContact contact{.device = preset.device, .controller = config.controller};
   contact.controller.gravity_D.setZero();

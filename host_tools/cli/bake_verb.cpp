@@ -14,6 +14,7 @@
 #include "host_tools/cli/bake_report.h"
 #include "host_tools/files/atomic_file.h"
 #include "host_tools/files/output_place.h"
+#include "host_tools/reach/reach_summary.h"
 
 namespace tactus::host {
 namespace {
@@ -75,6 +76,10 @@ void run_device(const BakeOptions& options, const std::filesystem::path& output)
   write_file_atomically(output, device.image());
   for (const std::string& warning : device.warnings()) {
     fmt::print(stderr, "tactus bake: warning: {}\n", warning);
+  }
+  const ReachMap map(device.config());
+  for (const std::string& warning : reach_warnings(map, summarise_reach(map))) {
+    fmt::print(stderr, "tactus bake: warning: {}: {}\n", options.scene, warning);
   }
   if (options.json) {
     const firmware::DeviceConfig& config = device.config();

@@ -17,18 +17,6 @@ namespace {
 // The lightest device that the plant simulates.
 constexpr double kLeastMass_kg = 0.01;
 
-// Returns the size of a count of the joint's encoder, if the file tells it.
-std::optional<double> resolution_of(const firmware::DeviceConfig& config,
-                                    const firmware::JointConfig& joint) {
-  const auto& drive = config.axes[joint.encoder].drive;
-  const double counts = drivers::visit_drive(drive, [](const auto& driver, const auto& settings) {
-    return driver.counts_per_turn == nullptr ? 0.0 : driver.counts_per_turn(settings);
-  });
-  return counts > 0.0
-             ? std::optional(2.0 * std::numbers::pi / (counts * joint.transmission.encoder_ratio))
-             : std::nullopt;
-}
-
 // Sets encoders, motors and delay to what the file says of them.
 void take_electronics(const firmware::DeviceConfig& config, const firmware::ControllerConfig& usual,
                       DeviceParameters& device) {
@@ -38,7 +26,7 @@ void take_electronics(const firmware::DeviceConfig& config, const firmware::Cont
   double usual_effort = 0.0;
   for (std::size_t i = 0; i < config.joint_count; ++i) {
     const firmware::JointConfig& joint = config.joints[i];
-    resolution = std::max(resolution, resolution_of(config, joint).value_or(0.0));
+    resolution = std::max(resolution, encoder_count_of(config, joint).value_or(0.0));
     effort = std::max(effort, joint.limits.max_effort);
     usual_effort = std::max(usual_effort, usual.joints[i].max_effort);
   }
@@ -131,6 +119,17 @@ void take_weights(const firmware::ControllerConfig& controller, DevicePreset& pr
 }
 
 }  // namespace
+
+std::optional<double> encoder_count_of(const firmware::DeviceConfig& config,
+                                       const firmware::JointConfig& joint) {
+  const auto& drive = config.axes[joint.encoder].drive;
+  const double counts = drivers::visit_drive(drive, [](const auto& driver, const auto& settings) {
+    return driver.counts_per_turn == nullptr ? 0.0 : driver.counts_per_turn(settings);
+  });
+  return counts > 0.0
+             ? std::optional(2.0 * std::numbers::pi / (counts * joint.transmission.encoder_ratio))
+             : std::nullopt;
+}
 
 DevicePreset described_device(const firmware::DeviceConfig& config) {
   const std::string name(config.preset);

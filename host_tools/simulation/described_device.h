@@ -3,6 +3,8 @@
 // commission and the emulators build their plants from it.
 #pragma once
 
+#include <optional>
+
 #include "firmware/device_file/device_config.h"
 #include "host_tools/simulation/device_presets.h"
 
@@ -14,5 +16,10 @@ namespace tactus::host {
 // have the coarsest encoder and the strongest motor of the file. Throws InputError if the mechanism
 // reaches nothing within its joints' limits.
 DevicePreset described_device(const firmware::DeviceConfig& config);
+
+// Returns the size of a count of the joint's encoder, rad or m, as the settings of its driver have
+// it; nothing if only the drive knows it.
+std::optional<double> encoder_count_of(const firmware::DeviceConfig& config,
+                                       const firmware::JointConfig& joint);
 
 }  // namespace tactus::host

@@ -95,7 +95,10 @@ std::optional<firmware::Pose> controller_pose(const firmware::ControllerConfig& 
   const Vec3 joints = joints_at(mechanism, pose);
   for (std::size_t i = 0; i < joints_of(mechanism); ++i) {
     const double joint = joints[static_cast<Eigen::Index>(i)];
-    if (joint < config.joints[i].lower + margin || joint > config.joints[i].upper - margin) {
+    // A joint without a number, as of a paddle that points straight down, is beyond its limits.
+    const bool is_within =
+        joint >= config.joints[i].lower + margin && joint <= config.joints[i].upper - margin;
+    if (!is_within) {
       return std::nullopt;
     }
   }
