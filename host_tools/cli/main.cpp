@@ -29,6 +29,7 @@
 #include "host_tools/cli/fit_verb.h"
 #include "host_tools/cli/flash_verb.h"
 #include "host_tools/cli/friction_verb.h"
+#include "host_tools/cli/init_verb.h"
 #include "host_tools/cli/inspect_verb.h"
 #include "host_tools/cli/line_verb.h"
 #include "host_tools/cli/monitor_verb.h"
@@ -68,7 +69,7 @@ constexpr std::array kVerbs = {
     AddVerb{tactus::host::add_remote_verbs},    AddVerb{tactus::host::add_certify_verb},
     AddVerb{tactus::host::add_commission_verb}, AddVerb{tactus::host::add_monitor_verb},
     AddVerb{tactus::host::add_watch_verb},      AddVerb{tactus::host::add_line_verb},
-    AddVerb{tactus::host::add_compare_verb},
+    AddVerb{tactus::host::add_compare_verb},    AddVerb{tactus::host::add_init_verb},
 };
 
 // Returns "tactus bake", or "tactus" before a verb is known.
