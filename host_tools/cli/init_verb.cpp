@@ -51,7 +51,7 @@ constexpr std::array<InitAnswer, 10> kInitAnswers{
      {"ratio", "Turns of a motor for a turn of its joint: one for all, or one for each"},
      {"counts", "Counts of an encoder for a turn of its motor"},
      {"torque-Nm", "Largest torque of a motor at its shaft"},
-     {"torque-constant", "Torque constant of the motors, N m/A"},
+     {"torque-constant", "Of VESCs: torque constant of the motors, N m/A"},
      {"connection", "CAN interface, serial port or GPIO chip"},
      {"rate-hz", "Ticks a second"}}};
 

@@ -1,5 +1,7 @@
 #include "host_tools/init/device_plan.h"
 
+#include <algorithm>
+
 namespace tactus::host {
 namespace {
 
@@ -121,6 +123,12 @@ std::span<const PlannedMechanism> planned_mechanisms() {
 
 std::span<const PlannedDrive> planned_drives() {
   return kDrives;
+}
+
+std::string DevicePlan::title() const {
+  std::string title(mechanism->name);
+  std::ranges::replace(title, '_', ' ');
+  return title;
 }
 
 // A VESC answers in several frames: one fills two thirds of a bus of 1 Mbit/s at 1 kHz.

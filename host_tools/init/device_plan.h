@@ -68,6 +68,10 @@ struct DevicePlan {
   double handle_kg = 0.0;
 
   [[nodiscard]] std::size_t joints() const { return mechanism->joints.size(); }
+  // Returns the mechanism in words, such as "serial arm".
+  [[nodiscard]] std::string title() const;
+  // Returns true if its drives are of that driver.
+  [[nodiscard]] bool is_on(std::string_view driver) const { return drive->name == driver; }
   // Returns true if the joints slide.
   [[nodiscard]] bool slides() const { return mechanism->kind == "cartesian"; }
 };

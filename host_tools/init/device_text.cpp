@@ -11,10 +11,6 @@
 namespace tactus::host {
 namespace {
 
-bool is_named(const DevicePlan& plan, std::string_view drive) {
-  return plan.drive->name == drive;
-}
-
 // Returns the key of a joint with the unit of its kind: lower_rad or lower_m.
 std::string joint_key(const DevicePlan& plan, std::string_view base) {
   return fmt::format("{}_{}", base, plan.slides() ? "m" : "rad");
@@ -52,7 +48,7 @@ std::string own_lines(const DevicePlan& plan) {
         kg);
   }
   std::string text = fmt::format("platform_kg = {}\n", kg);
-  if (!is_named(plan, "falcon_usb")) {
+  if (!plan.is_on("falcon_usb")) {
     // Level arms are in the middle of their travel.
     const double across_m = lengths_m[2] + lengths_m[0] - lengths_m[3];
     const double square = lengths_m[1] * lengths_m[1] - across_m * across_m;
@@ -67,7 +63,8 @@ std::string own_lines(const DevicePlan& plan) {
 
 std::string mechanism_lines(const DevicePlan& plan) {
   std::string text = fmt::format(
-      "# {}. Lengths in m, masses in kg; the keys are in host_tools/bake/README.md.\n"
+      "# The mechanism: {}.\n# Lengths are in m, masses in kg; host_tools/bake/README.md has all "
+      "keys.\n"
       "[mechanism]\nkind = \"{}\"\n",
       plan.mechanism->words, plan.mechanism->kind);
   for (std::size_t i = 0; i < plan.lengths_m.size(); ++i) {
@@ -91,7 +88,7 @@ std::string controller_lines(const DevicePlan& plan, const SolvedPlan& solved) {
 
 // Returns the connections.
 std::string connection_lines(const DevicePlan& plan) {
-  if (is_named(plan, "falcon_usb")) {
+  if (plan.is_on("falcon_usb")) {
     return fmt::format(
         "\n[[connection]]\nname = \"usb\"\nkind = \"falcon_usb\"\n{}"
         "# Nobody has shown what its motors do when the host falls silent. Keep its power plug "
@@ -99,7 +96,7 @@ std::string connection_lines(const DevicePlan& plan) {
         "unproven_watchdog = true\n",
         plan.connection == "-" ? std::string() : fmt::format("serial = \"{}\"\n", plan.connection));
   }
-  if (is_named(plan, "haply_serial")) {
+  if (plan.is_on("haply_serial")) {
     return fmt::format(
         "\n[[connection]]\nname = \"usb\"\nkind = \"haply_serial\"\nport = \"{}\"\n"
         "# The board has no watchdog: its motors keep their last torque. Keep its power plug "
@@ -107,7 +104,7 @@ std::string connection_lines(const DevicePlan& plan) {
         "unproven_watchdog = true\n",
         plan.connection);
   }
-  if (!is_named(plan, "gpio_axis")) {
+  if (!plan.is_on("gpio_axis")) {
     return fmt::format("\n[[connection]]\nname = \"bus\"\nkind = \"can\"\ninterface = \"{}\"\n",
                        plan.connection);
   }
@@ -124,24 +121,24 @@ std::string connection_lines(const DevicePlan& plan) {
 // Returns the keys of an axis that its driver alone has.
 std::string driver_lines(const DevicePlan& plan, std::size_t i) {
   const std::string torque = fmt::format("max_torque_Nm = {}\n", plan.torque_Nm);
-  if (is_named(plan, "odrive_can")) {
+  if (plan.is_on("odrive_can")) {
     return fmt::format("node_id = {}\n{}", i, torque);
   }
-  if (is_named(plan, "moteus_canfd")) {
+  if (plan.is_on("moteus_canfd")) {
     return fmt::format("servo_id = {}\n{}", i + 1, torque);
   }
-  if (is_named(plan, "cia402_can")) {
+  if (plan.is_on("cia402_can")) {
     return fmt::format("node = {}\n{}{}counts_per_turn = {}\nperiod_s = {:.6g}\n", i + 1,
                        i == 0 ? "" : "leads_bus = false\n", torque, plan.counts_per_turn,
                        1.0 / plan.rate_hz);
   }
-  if (is_named(plan, "vesc_can")) {
+  if (plan.is_on("vesc_can")) {
     return fmt::format(
         "vesc_id = {}\n{}torque_constant_Nm_per_A = {}\noffers_position = true\n"
         "status_period_s = {:.6g}\n",
         i + 1, torque, plan.torque_constant_Nm_per_A, 1.0 / plan.rate_hz);
   }
-  if (is_named(plan, "gpio_axis")) {
+  if (plan.is_on("gpio_axis")) {
     constexpr std::size_t kLines = 5;
     return fmt::format(
         "# Lines of the chip: change them to your wiring.\nencoder_a = \"{}\"\nencoder_b = \"{}\"\n"
@@ -156,7 +153,7 @@ std::string driver_lines(const DevicePlan& plan, std::size_t i) {
 }
 
 std::string axis_lines(const DevicePlan& plan, std::size_t i) {
-  const bool is_gpio = is_named(plan, "gpio_axis");
+  const bool is_gpio = plan.is_on("gpio_axis");
   const bool is_board = !plan.drive->mechanism.empty();
   const std::string line = is_gpio ? fmt::format("board {}", i) : is_board ? "usb" : "bus";
   return fmt::format("\n[[axis]]\nname = \"drive {}\"\ndriver = \"{}\"\nconnection = \"{}\"\n{}", i,
@@ -167,7 +164,7 @@ std::string joint_lines(const DevicePlan& plan, const SolvedPlan& solved, std::s
   std::string text = fmt::format(
       "\n[[joint]]\nname = \"{}\"\nmotor = \"drive {}\"\nmotor_ratio = {}\nencoder_ratio = {}\n",
       plan.mechanism->joints[i], i, plan.ratios[i], plan.ratios[i]);
-  if (is_named(plan, "falcon_usb")) {
+  if (plan.is_on("falcon_usb")) {
     text += "reference = \"board\"\n";
   } else {
     fmt::format_to(std::back_inserter(text), "reference = \"known_pose\"\n{} = {:.4f}\n",
@@ -188,7 +185,7 @@ std::string plant_lines(const DevicePlan& plan) {
   std::string text =
       "\n# For the simulation, certify and commission alone; the controller does not use "
       "it.\n[plant]\n";
-  if (!is_named(plan, "cia402_can") && !is_named(plan, "gpio_axis")) {
+  if (!plan.is_on("cia402_can") && !plan.is_on("gpio_axis")) {
     const double ratio = *std::ranges::min_element(plan.ratios);
     fmt::format_to(std::back_inserter(text),
                    "# One count of {} a turn, at the joint.\nencoder_resolution_{} = {:.4g}\n",
@@ -208,14 +205,14 @@ std::string device_text(const DevicePlan& plan, const SolvedPlan& solved) {
   std::string text = fmt::format(
       "# A {} on {}, as tactus init arm wrote it. README.md has the next steps.\n"
       "name = \"My {}\"\n\n",
-      plan.mechanism->name, plan.drive->words, plan.mechanism->name);
+      plan.title(), plan.drive->words, plan.title());
   text += mechanism_lines(plan);
   text += controller_lines(plan, solved);
   text += connection_lines(plan);
   for (std::size_t i = 0; i < plan.joints(); ++i) {
     text += axis_lines(plan, i);
   }
-  text += is_named(plan, "falcon_usb")
+  text += plan.is_on("falcon_usb")
               ? "\n# The board finds its own reference when the grip is pulled out and pushed in.\n"
               : "\n# While homing, hold the handle in the middle of its workspace: these are the "
                 "joints there. Another pose that\n# you can repeat does as well; "
@@ -238,56 +235,6 @@ std::string scene_text(const DevicePlan& plan, const SolvedPlan& solved) {
       "size_m = [{0:.4f}, {0:.4f}, {0:.4f}]\nstiffness_N_per_m = 100.0\n"
       "friction = {{ static = 0.4, dynamic = 0.3 }}\n",
       0.8 * solved.half_m);
-}
-
-std::string readme_text(const DevicePlan& plan, const SolvedPlan& solved) {
-  std::string text = fmt::format(
-      "# A {} on {}\n\n`device.toml` describes the device, `scene.toml` what it touches. Measure "
-      "what is "
-      "guessed, and write it into\n`device.toml`; a wrong key or unit is answered with the right "
-      "line.\n\n"
-      "## Before it exists\n```\n"
-      "tactus bake device.toml                            # checks everything; device.tactus\n"
-      "tactus bake scene.toml                             # scene.tactus\n"
-      "tactus inspect device.toml --figure reach.png      # reach, resolution and force\n"
-      "tactus inspect device.toml --scene scene.tactus    # whether it reaches the scene\n"
-      "tactus sim scene.tactus --device device.toml --output run.csv\n"
-      "tactus plot run.csv --scene scene.tactus\n"
-      "tactus certify device.toml && tactus bake device.toml   # how stiff its surfaces may be\n"
-      "tactus commission device.toml --simulated          # a rehearsal\n```\n",
-      plan.mechanism->name, plan.drive->words);
-  if (!plan.drive->emulated.empty()) {
-    std::vector<std::size_t> nodes;
-    for (std::size_t i = 0; i < plan.joints(); ++i) {
-      nodes.push_back(is_named(plan, "odrive_can") ? i : i + 1);
-    }
-    const bool is_board = !plan.drive->mechanism.empty();
-    fmt::format_to(
-        std::back_inserter(text),
-        "\nThe same controller program against an emulated device, as root (`tactus emulate {0} "
-        "--help` "
-        "says how to make its bus):\n```\ntactus emulate {0}{1} --device-file device.toml --hand "
-        "pen "
-        "&\ntactusd device.tactus scene.tactus\n```\n",
-        plan.drive->emulated,
-        is_board ? (is_named(plan, "haply_serial") ? " --pty" : "")
-                 : fmt::format(" --can {} --nodes {}", plan.connection, fmt::join(nodes, ",")));
-  }
-  fmt::format_to(
-      std::back_inserter(text),
-      "\n## When it exists\nThe drives' own set-up is in `drivers/{}/README.md` of Tactus.\n```\n"
-      "tactus doctor device.toml                          # this machine: bus, rights, real time\n"
-      "tactus commission device.toml                      # each motor and encoder, gently\n"
-      "tactus bake device.toml && tactusd device.tactus scene.tactus\n"
-      "tactus home --wait && tactus enable && tactus monitor\n```\n{}",
-      plan.drive->name,
-      is_named(plan, "falcon_usb")
-          ? std::string()
-          : fmt::format(
-                "While homing, hold the handle in the middle of its workspace, at ({:.0f}, {:.0f}, "
-                "{:.0f}) mm of the device's frame.\n",
-                1e3 * solved.middle_m.x(), 1e3 * solved.middle_m.y(), 1e3 * solved.middle_m.z()));
-  return text;
 }
 
 }  // namespace tactus::host

@@ -159,6 +159,9 @@ void ask_shafts(const AskQuestion& ask, DevicePlan& plan) {
       [&](const std::string& text) {
         plan.torque_Nm = read_number(text, {.least = 0.001, .most = 100.0, .unit = "N m"});
       });
+  if (plan.drive->name != "vesc_can") {
+    return;  // the others are commanded in N m
+  }
   ask({.option = "torque-constant",
        .text = "Torque constant of the motors, N m/A?",
        .usual = "0.03"},

@@ -3,15 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
-#include <cmath>
-#include <iterator>
-#include <numbers>
-#include <optional>
 #include <string_view>
 #include <vector>
 
 #include "host_tools/plot/gnuplot.h"
+#include "host_tools/reach/reach_cut.h"
 
 namespace tactus::host {
 namespace {
@@ -19,119 +15,6 @@ namespace {
 constexpr double kReachWidth_px = 1500.0;
 constexpr double kReachRow_px = 620.0;
 constexpr double kReachHead_px = 110.0;
-// Places along the longer side of a cut.
-constexpr int kReachSide = 161;
-
-// A cut through the workspace: two axes of B, 0 to 2, and the names of its picture's axes.
-struct Cut {
-  Eigen::Index right = 0;
-  Eigen::Index up = 1;
-  std::string_view right_label;
-  std::string_view up_label;
-  // True: the second axis points down, as toward a user who looks from above.
-  bool is_down = false;
-};
-
-constexpr std::string_view kXLabel = "x (mm), to the right";
-constexpr std::string_view kYLabel = "y (mm), up";
-constexpr std::string_view kZLabel = "z (mm), toward the user";
-constexpr Cut kFromLeft{
-    .right = 2, .up = 1, .right_label = kZLabel, .up_label = kYLabel, .is_down = false};
-constexpr Cut kFromUser{
-    .right = 0, .up = 1, .right_label = kXLabel, .up_label = kYLabel, .is_down = false};
-constexpr Cut kFromAbove{
-    .right = 0, .up = 2, .right_label = kXLabel, .up_label = kZLabel, .is_down = true};
-
-std::vector<Cut> cuts_of(std::size_t joints) {
-  switch (joints) {
-    case 1:
-      return {kFromUser};
-    case 2:
-      return {kFromAbove};
-    default:
-      return {kFromLeft, kFromUser};
-  }
-}
-
-// The window of a cut, mm, and the distance of its places.
-struct CutWindow {
-  double right_mm = 0.0;
-  double up_mm = 0.0;
-  double width_mm = 0.0;
-  double height_mm = 0.0;
-  double step_mm = 0.0;
-};
-
-CutWindow window_of(const Cut& cut, const ReachBox& box) {
-  constexpr double kMargin = 0.06;
-  const Vec3 size_mm = 1e3 * (box.upper_B - box.lower_B);
-  const double margin_mm = kMargin * std::max(size_mm[cut.right], size_mm[cut.up]);
-  CutWindow window{.right_mm = 1e3 * box.lower_B[cut.right] - margin_mm,
-                   .up_mm = 1e3 * box.lower_B[cut.up] - margin_mm,
-                   .width_mm = size_mm[cut.right] + 2.0 * margin_mm,
-                   .height_mm = size_mm[cut.up] + 2.0 * margin_mm};
-  window.step_mm = std::max(window.width_mm, window.height_mm) / (kReachSide - 1);
-  return window;
-}
-
-// One sampled cut: gnuplot's rows, and every value for the range of the colours.
-struct SampledCut {
-  std::string resolution_um;
-  std::string force_N;
-  std::vector<double> resolutions_um;
-  std::vector<double> forces_N;
-};
-
-void add_place(const std::optional<ReachPoint>& point, double right_mm, double up_mm,
-               SampledCut& cut) {
-  const double resolution_um = point ? 1e6 * point->resolution_m : 0.0;
-  for (const auto& [text, value] : {std::pair{&cut.resolution_um, resolution_um},
-                                    std::pair{&cut.force_N, point ? point->force_N : 0.0}}) {
-    if (point) {
-      fmt::format_to(std::back_inserter(*text), "{:.5g} {:.5g} {:.5g}\n", right_mm, up_mm, value);
-    } else {
-      fmt::format_to(std::back_inserter(*text), "{:.5g} {:.5g} NaN\n", right_mm, up_mm);
-    }
-  }
-  if (point) {
-    cut.resolutions_um.push_back(resolution_um);
-    cut.forces_N.push_back(point->force_N);
-  }
-}
-
-SampledCut sample_plane(const ReachMap& map, const Cut& cut, const CutWindow& window) {
-  SampledCut sampled;
-  const int columns = static_cast<int>(window.width_mm / window.step_mm) + 1;
-  const int rows = static_cast<int>(window.height_mm / window.step_mm) + 1;
-  for (int row = 0; row < rows; ++row) {
-    for (int column = 0; column < columns; ++column) {
-      const double right_mm = window.right_mm + column * window.step_mm;
-      const double up_mm = window.up_mm + row * window.step_mm;
-      Vec3 p_B = map.device().centre_B;
-      p_B[cut.right] = 1e-3 * right_mm;
-      p_B[cut.up] = 1e-3 * up_mm;
-      add_place(map.at(p_B), right_mm, up_mm, sampled);
-    }
-    sampled.resolution_um += "\n";
-    sampled.force_N += "\n";
-  }
-  return sampled;
-}
-
-// The handle of a device with one joint moves on an arc.
-SampledCut sample_arc(const ReachMap& map) {
-  constexpr int kPlaces = 721;
-  SampledCut sampled;
-  const PlantMechanism& mechanism = map.device().device.plant.mechanism;
-  for (int i = 0; i < kPlaces; ++i) {
-    const double angle = 2.0 * std::numbers::pi * i / (kPlaces - 1);
-    const Vec3 p_B = on_manifold(mechanism, {std::sin(angle), std::cos(angle), 0.0});
-    if (const auto point = map.at(p_B)) {
-      add_place(point, 1e3 * p_B.x(), 1e3 * p_B.y(), sampled);
-    }
-  }
-  return sampled;
-}
 
 // Returns the range of a panel's colours: that of nine tenths of the places, so that the few at the
 // edge of the reach, where it grows without bound, do not wash out the rest.
@@ -151,7 +34,7 @@ std::pair<double, double> colour_range(std::vector<double> values) {
 }
 
 // Returns a closed rectangle as rows of gnuplot.
-std::string rectangle(const Cut& cut, const ReachBox& box) {
+std::string rectangle(const ReachCut& cut, const ReachBox& box) {
   const Vec3 a = 1e3 * box.lower_B;
   const Vec3 b = 1e3 * box.upper_B;
   return fmt::format(
@@ -183,13 +66,13 @@ plot {items}
 )gnuplot";
 
 constexpr std::string_view kFewIsGood =
-    "0 \"#fde725\", 0.25 \"#5ec962\", 0.5 \"#21918c\", 0.75 \"#3b528b\", 1 \"#440154\"";
+    R"(0 "#fde725", 0.25 "#5ec962", 0.5 "#21918c", 0.75 "#3b528b", 1 "#440154")";
 constexpr std::string_view kMuchIsGood =
-    "0 \"#440154\", 0.25 \"#3b528b\", 0.5 \"#21918c\", 0.75 \"#5ec962\", 1 \"#fde725\"";
+    R"(0 "#440154", 0.25 "#3b528b", 0.5 "#21918c", 0.75 "#5ec962", 1 "#fde725")";
 
 // One panel: its place on the sheet, its quantity and its cut.
 struct ReachPanel {
-  const Cut& cut;
+  const ReachCut& cut;
   const CutWindow& window;
   std::size_t row = 0;
   bool is_force = false;
@@ -258,8 +141,9 @@ std::string panel_script(const ReachPanel& panel, const SampledCut& sampled) {
 }
 
 // Returns the data blocks of a row.
-std::string row_blocks(const ReachMap& map, const Cut& cut, std::span<const ObjectReach> objects,
-                       const SampledCut& sampled, std::size_t row) {
+std::string row_blocks(const ReachMap& map, const ReachCut& cut,
+                       std::span<const ObjectReach> objects, const SampledCut& sampled,
+                       std::size_t row) {
   const PlantParameters& plant = map.device().device.plant;
   const Vec3 origin_mm = 1e3 * map.config().controller.workspace_origin_D;
   std::string outlines;
@@ -281,7 +165,7 @@ void draw_reach(const ReachMap& map, std::span<const ObjectReach> objects, const
   const GnuplotFolder folder;
   const ReachBox box = map.whole_box();
   const bool is_arc = map.config().joint_count == 1;
-  const std::vector<Cut> cuts = cuts_of(map.config().joint_count);
+  const std::vector<ReachCut> cuts = cuts_of(map.config().joint_count);
   const double height_px = kReachHead_px + kReachRow_px * static_cast<double>(cuts.size());
   std::string script =
       fmt::format(kReachTitles, fmt::arg("title", gnuplot_string(title)),
@@ -290,7 +174,7 @@ void draw_reach(const ReachMap& map, std::span<const ObjectReach> objects, const
                   fmt::arg("subtitle_y", 1.0 - 0.62 * kReachHead_px / height_px),
                   fmt::arg("objects", objects.empty() ? "''" : "'▭ objects of the scene'"));
   for (std::size_t row = 0; row < cuts.size(); ++row) {
-    const Cut& cut = cuts[row];
+    const ReachCut& cut = cuts[row];
     const CutWindow window = window_of(cut, box);
     const SampledCut sampled = is_arc ? sample_arc(map) : sample_plane(map, cut, window);
     script += row_blocks(map, cut, objects, sampled, row);

@@ -6,6 +6,7 @@
 #include "host_tools/simulation/described_device.h"
 #include "host_tools/simulation/described_mechanism.h"
 #include "host_tools/simulation/device_workspace.h"
+#include "host_tools/simulation/grid_share.h"
 
 namespace tactus::host {
 
@@ -76,8 +77,7 @@ ReachBox ReachMap::whole_box() const {
   box.include(plant.stop_upper_B);
   constexpr int kSide = 33;
   for (int i = 0; i < kSide * kSide * kSide; ++i) {
-    const Vec3 share(i % kSide, (i / kSide) % kSide, i / (kSide * kSide));
-    const Vec3 p_B = middle_B + radius_m * (2.0 / (kSide - 1) * share - Vec3::Ones());
+    const Vec3 p_B = middle_B + radius_m * (2.0 * grid_share(i, kSide) - Vec3::Ones());
     if (at(p_B)) {
       box.include(on_manifold(plant.mechanism, p_B));
     }

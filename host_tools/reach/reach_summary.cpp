@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <iterator>
 
+#include "host_tools/simulation/grid_share.h"
+
 namespace tactus::host {
 namespace {
 
@@ -57,10 +59,8 @@ ReachSummary summarise_reach(const ReachMap& map) {
   summary.weakest_N = summary.strongest_N = summary.middle.force_N;
   constexpr int kSide = 9;
   for (int i = 0; i < kSide * kSide * kSide; ++i) {
-    const Vec3 share(i % kSide, (i / kSide) % kSide, i / (kSide * kSide));
-    const auto point =
-        map.at(plant.stop_lower_B +
-               (share / (kSide - 1)).cwiseProduct(plant.stop_upper_B - plant.stop_lower_B));
+    const auto point = map.at(plant.stop_lower_B + grid_share(i, kSide).cwiseProduct(
+                                                       plant.stop_upper_B - plant.stop_lower_B));
     if (!point) {
       continue;
     }

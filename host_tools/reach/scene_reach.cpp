@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <iterator>
 
+#include "host_tools/simulation/grid_share.h"
+
 namespace tactus::host {
 namespace {
 
@@ -17,8 +19,7 @@ double share_of_box(const ReachMap& map, const ReachBox& box) {
   constexpr int kSide = 7;
   int reached = 0;
   for (int i = 0; i < kSide * kSide * kSide; ++i) {
-    const Vec3 share(i % kSide, (i / kSide) % kSide, i / (kSide * kSide));
-    const Vec3 p_B = box.lower_B + (share / (kSide - 1)).cwiseProduct(box.upper_B - box.lower_B);
+    const Vec3 p_B = box.lower_B + grid_share(i, kSide).cwiseProduct(box.upper_B - box.lower_B);
     reached += map.at(p_B) ? 1 : 0;
   }
   return static_cast<double>(reached) / (kSide * kSide * kSide);

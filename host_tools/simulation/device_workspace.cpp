@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "host_tools/simulation/grid_share.h"
+
 namespace tactus::host {
 namespace {
 
@@ -30,7 +32,7 @@ struct BoxSearch {
   [[nodiscard]] bool fits(const Vec3& centre_B, double scale) const {
     constexpr int kPlaces = 27;
     for (int i = 0; i < kPlaces; ++i) {
-      const Vec3 side(i % 3 - 1, (i / 3) % 3 - 1, i / 9 - 1);
+      const Vec3 side = 2.0 * grid_share(i, 3) - Vec3::Ones();
       if (!is_inside(centre_B + scale * side.cwiseProduct(half_m))) {
         return false;
       }
@@ -133,9 +135,8 @@ std::optional<DeviceWorkspace> find_workspace(const firmware::ControllerConfig& 
     constexpr int kSide = 9;
     constexpr double kSpread = 4.0;
     for (int i = 0; i < kSide * kSide * kSide; ++i) {
-      const Vec3 share(i % kSide, (i / kSide) % kSide, i / (kSide * kSide));
       const Vec3 moved_B =
-          kSpread * (2.0 / (kSide - 1) * share - Vec3::Ones()).cwiseProduct(search.half_m);
+          kSpread * (2.0 * grid_share(i, kSide) - Vec3::Ones()).cwiseProduct(search.half_m);
       const double room = search.room_at(like.centre_B + moved_B, scale);
       if (room > scale) {
         scale = room;

@@ -26,8 +26,10 @@ begin() {
 # touches FOLDER DEVICE: the simulated hand touches the scene through the device, and no guard acts.
 touches() {
   "$tactus" sim "$1/scene.tactus" --device "$2" --seconds 4 >"$1/run"
-  grep -q '^faults *none' "$1/run" && grep -q '^mode *active' "$1/run" && ! grep -q '^contact *0.000' "$1/run" ||
-    { cat "$1/run"; exit 1; }
+  if ! grep -q '^faults *none' "$1/run" || ! grep -q '^mode *active' "$1/run" || grep -q '^contact *0.000' "$1/run"; then
+    cat "$1/run"
+    exit 1
+  fi
 }
 
 can="odrive_can moteus_canfd cia402_can vesc_can"
@@ -61,7 +63,10 @@ refused() {
   local words="$1" code=0
   shift
   "$tactus" "$@" >said 2>&1 </dev/null || code=$?
-  [[ $code -eq 2 ]] && grep -qF -- "$words" said || { cat said; exit 1; }
+  if [[ $code -ne 2 ]] || ! grep -qF -- "$words" said; then
+    cat said
+    exit 1
+  fi
 }
 refused "falcon/device.toml: is there already and is kept" init arm falcon --yes
 refused "--lengths: '0.2': write 3 lengths" init arm x --yes --lengths 0.2
