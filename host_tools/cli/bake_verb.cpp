@@ -77,8 +77,7 @@ void run_device(const BakeOptions& options, const std::filesystem::path& output)
   for (const std::string& warning : device.warnings()) {
     fmt::print(stderr, "tactus bake: warning: {}\n", warning);
   }
-  const ReachMap map(device.config());
-  for (const std::string& warning : reach_warnings(map, summarise_reach(map))) {
+  for (const std::string& warning : device_warnings(device.config())) {
     fmt::print(stderr, "tactus bake: warning: {}: {}\n", options.scene, warning);
   }
   if (options.json) {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <iterator>
 
+#include "host_tools/input_error.h"
 #include "host_tools/simulation/grid_share.h"
 
 namespace tactus::host {
@@ -97,6 +98,15 @@ std::vector<std::string> reach_warnings(const ReachMap& map, const ReachSummary&
         1e3 * summary.middle.resolution_m, 1e3 * kCoarse_m));
   }
   return warnings;
+}
+
+std::vector<std::string> device_warnings(const firmware::DeviceConfig& config) {
+  try {
+    const ReachMap map(config);
+    return reach_warnings(map, summarise_reach(map));
+  } catch (const InputError& error) {
+    return {error.what()};
+  }
 }
 
 std::string reach_text(const ReachMap& map, const ReachSummary& summary) {

@@ -30,6 +30,10 @@ ReachSummary summarise_reach(const ReachMap& map);
 // with the key and the remedy: weights against motors, limits against motors, force, resolution.
 std::vector<std::string> reach_warnings(const ReachMap& map, const ReachSummary& summary);
 
+// Returns the same warnings for a configuration, or the one that its mechanism reaches nothing or
+// is not simulated.
+std::vector<std::string> device_warnings(const firmware::DeviceConfig& config);
+
 // Returns the summary in words, several lines.
 std::string reach_text(const ReachMap& map, const ReachSummary& summary);
 

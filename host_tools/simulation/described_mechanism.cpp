@@ -1,5 +1,6 @@
 #include "host_tools/simulation/described_mechanism.h"
 
+#include "host_tools/input_error.h"
 #include "host_tools/simulation/linkages.h"
 #include "host_tools/simulation/overloaded.h"
 
@@ -55,6 +56,9 @@ PlantMechanism plant_mechanism(const firmware::MechanismGeometry& geometry) {
           [](const firmware::SerialArmGeometry& g) -> PlantMechanism {
             return ArmLengths{
                 .upper_m = g.upper_m, .forearm_m = g.forearm_m, .shoulder_m = g.shoulder_height_m};
+          },
+          [](const auto&) -> PlantMechanism {
+            throw InputError("[mechanism]: the simulation has no such mechanism");
           }},
       geometry);
 }
@@ -84,7 +88,8 @@ PlantWeights plant_weights(const firmware::MechanismGeometry& geometry) {
                 weights_of_links(g.upper, g.upper_m, g.forearm, g.forearm_m, 1.0);
             weights.handle_kg += g.tool_kg;
             return weights;
-          }},
+          },
+          [](const auto&) -> PlantWeights { return {}; }},
       geometry);
 }
 

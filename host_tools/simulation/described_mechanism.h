@@ -17,7 +17,8 @@ struct PlantWeights {
   bool operator==(const PlantWeights&) const = default;
 };
 
-// Returns the mechanism with the dimensions of the geometry.
+// Returns the mechanism with the dimensions of the geometry. Throws InputError for a mechanism that
+// the simulation does not have.
 PlantMechanism plant_mechanism(const firmware::MechanismGeometry& geometry);
 
 // Returns the weights of the geometry. Each link's mass is divided over its two ends so that its
