@@ -58,8 +58,8 @@ struct JointConfig {
   JointLimits limits;
 };
 
-// The dynamics of the device, for `tactus certify`. The controller ignores them. Missing values are
-// those of the simulated preset (host_tools/simulation). Friction and encoder are those of a joint:
+// The dynamics of the device, for its simulation. The controller ignores them. Missing values follow
+// from the mechanism's weights or are those of the simulated preset (host_tools/simulation). Friction and encoder are those of a joint:
 // N m and rad if it turns, N and m if it slides.
 struct PlantConfig {
   std::optional<double> moving_mass_kg;    // the device's mass at the handle, as the hand feels it

@@ -2,8 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <cstdio>
 #include <filesystem>
+#include <fstream>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <span>
@@ -14,7 +16,6 @@
 #include "firmware/device_file/device_image.h"
 #include "host_tools/bake/device/device_bake.h"
 #include "host_tools/bake/scene/mapped_scene.h"
-#include "host_tools/files/atomic_file.h"
 #include "host_tools/files/output_place.h"
 #include "host_tools/reach/reach_figure.h"
 #include "host_tools/reach/reach_summary.h"
@@ -123,8 +124,9 @@ bool is_device_file(const std::string& file) {
   if (std::filesystem::path(file).extension() == ".toml") {
     return describes_device(file);
   }
-  const std::string_view magic(firmware::kDeviceMagic.data(), firmware::kDeviceMagic.size());
-  return read_file(file).starts_with(magic);
+  std::array<char, firmware::kDeviceMagic.size()> head{};
+  std::ifstream(file, std::ios::binary).read(head.data(), head.size());
+  return head == firmware::kDeviceMagic;
 }
 
 void inspect_device(const InspectDeviceOptions& options) {
