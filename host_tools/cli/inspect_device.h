@@ -1,11 +1,12 @@
-// `tactus inspect arm.tactus`: what is in a device file or image, and what the device can do.
+// `tactus inspect arm.tactus`: prints the content of a device file or image, and the abilities of
+// the device.
 #pragma once
 
 #include <string>
 
 namespace tactus::host {
 
-// What the user asked for.
+// The wishes of the user.
 struct InspectDeviceOptions {
   // A device.toml or its image.
   std::string device;

@@ -12,7 +12,7 @@ namespace tactus::host {
 
 // A length of a mechanism, and the usual one, m.
 struct PlannedLength {
-  // Its key in [mechanism]; empty for the travel of a Cartesian device.
+  // The key in [mechanism]; empty for the travel of a Cartesian device.
   std::string_view key;
   std::string_view words;
   double usual_m = 0.0;
@@ -42,7 +42,7 @@ struct PlannedDrive {
   std::string_view connection;
   // The only mechanism that the drive's board turns; empty: any.
   std::string_view mechanism;
-  // How `tactus emulate` calls it; empty: it emulates none with so many joints.
+  // The name of its verb of `tactus emulate`; empty: it emulates none with so many joints.
   std::string_view emulated;
 };
 

@@ -10,7 +10,7 @@
 
 namespace tactus::host {
 
-// What follows from a plan once its mechanism has been solved.
+// The numbers that follow from a plan once its mechanism has been solved.
 struct SolvedPlan {
   // The middle of the workspace in the device's frame, and half of its smallest side, m.
   Vec3 middle_m = Vec3::Zero();

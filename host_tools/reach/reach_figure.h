@@ -1,4 +1,4 @@
-// The picture of what a device reaches: how finely it sees its handle, and how strongly it pushes.
+// Draws the reach of a device, with its resolution and force.
 #pragma once
 
 #include <filesystem>

@@ -1,5 +1,5 @@
-// How finely a device sees its handle and how strongly it pushes there, at any place that it
-// reaches: from its geometry, its encoders, its motors and its weights.
+// Computes the resolution and the force of a device at any place of its handle, out of its
+// geometry, encoders, motors and weights.
 #pragma once
 
 #include <array>

@@ -1,5 +1,5 @@
-// What a device can do at its handle, in figures and in warnings, for `tactus bake` and `tactus
-// inspect`.
+// Summarises the abilities of a device at its handle in figures and in warnings, for `tactus bake`
+// and `tactus inspect`.
 #pragma once
 
 #include <string>

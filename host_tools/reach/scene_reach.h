@@ -1,4 +1,5 @@
-// Whether a device reaches the objects of a scene from where its file puts the scene.
+// Tells whether a device reaches the objects of a scene, which its file puts somewhere in its
+// reach.
 #pragma once
 
 #include <span>

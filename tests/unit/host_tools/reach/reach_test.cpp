@@ -1,4 +1,4 @@
-// What a device can do at its handle, against closed forms.
+// The resolution, force and weights of a device at its handle, against closed forms.
 #include <gtest/gtest.h>
 
 #include <algorithm>
