@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Makes the pictures of the READMEs anew: the repository's, and those of rendering/, rendering/bodies/, rendering/friction/,
-# rendering/needle/, host_tools/certify/ and host_tools/python/. Needs a built `tactus`:
+# rendering/needle/, host_tools/certify/, host_tools/python/ and host_tools/reach/. Needs a built `tactus`:
 # host_tools/demo.sh builds one.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
@@ -176,3 +176,9 @@ cp "$examples/bunny/scene.toml" "$work/bunny.toml"
 mkdir -p host_tools/pictures
 cp "$work/bunny_path.png" host_tools/pictures/
 echo host_tools/pictures/bunny_path.png
+
+# The reach of an own arm, as host_tools/init begins it.
+mkdir -p host_tools/reach/pictures
+"$tactus" init arm "$work/lab" --yes >"$work/log"
+"$tactus" inspect "$work/lab/device.toml" --figure host_tools/reach/pictures/arm_reach.png >"$work/log" 2>&1
+echo host_tools/reach/pictures/arm_reach.png

@@ -58,9 +58,9 @@ struct JointConfig {
   JointLimits limits;
 };
 
-// The dynamics of the device, for `tactus certify`. The controller ignores them. Missing values are
-// those of the simulated preset (host_tools/simulation). Friction and encoder are those of a joint:
-// N m and rad if it turns, N and m if it slides.
+// The dynamics of the device, for its simulation. The controller ignores them. Missing values
+// follow from the mechanism's weights or are those of the simulated preset (host_tools/simulation).
+// Friction and encoder are those of a joint: N m and rad if it turns, N and m if it slides.
 struct PlantConfig {
   std::optional<double> moving_mass_kg;    // the device's mass at the handle, as the hand feels it
   std::optional<double> viscous_Ns_per_m;  // at the handle, as the hand feels it
@@ -93,6 +93,7 @@ struct Commissioning {
 // are in use.
 struct DeviceConfig {
   std::string_view name;
+  std::string_view preset;      // `kind` of [mechanism], one of kPresetNames
   ControllerConfig controller;  // its joints' limits are those of `joints`
   PlantConfig plant;
   Certification certification;  // its limits are also the controller's

@@ -54,6 +54,7 @@ DeviceReader::Outcome DeviceReader::read_mechanism(std::size_t i) {
     return refuse(i, kKindKey, kMustBe.view());
   }
   config_.controller = *preset;
+  config_.preset = text_of(sections_.sections[i], kKindKey);
   return assign_all(i, kKindKey,
                     [this](auto& visit) { visit_mechanism(config_.controller.mechanism, visit); });
 }

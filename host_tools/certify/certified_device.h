@@ -1,6 +1,5 @@
-// Chooses the simulated device that stands for a device.toml: the preset with its mechanism,
-// changed by its [plant], and the places in its workspace where it is pressed against walls.
-// Certify and commission use it.
+// Takes the simulated device that a device.toml describes, and the places in its workspace where it
+// is pressed against walls. Certify and commission use it.
 #pragma once
 
 #include <string>
@@ -30,8 +29,8 @@ struct CertifiedDevice {
 // Returns the device with these places: the middle of the workspace, and the points at six tenths
 // of the way from it to each side, as far as the mechanism reaches them within its joints' limits;
 // at each of them a wall across every axis along which the handle can move. Weights and their
-// compensation are left out, since both are constant forces. Throws InputError if the mechanism's
-// lengths are not those of a simulated device.
+// compensation are left out, since both are constant forces. Throws InputError if the mechanism
+// reaches nothing within its joints' limits.
 CertifiedDevice certified_device(const firmware::DeviceConfig& config);
 
 }  // namespace tactus::host

@@ -12,6 +12,7 @@
 #include "host_tools/bake/device/device_bake.h"
 #include "host_tools/bake/scene/bake.h"
 #include "host_tools/cli/bake_report.h"
+#include "host_tools/reach/reach_summary.h"
 
 namespace tactus::host {
 namespace {
@@ -41,6 +42,9 @@ void run_device(const BakeOptions& options, const std::filesystem::path& output)
   const LoadedDevice device = bake_device_file(options.scene, output);
   for (const std::string& warning : device.warnings()) {
     fmt::print(stderr, "tactus bake: warning: {}\n", warning);
+  }
+  for (const std::string& warning : device_warnings(device.config())) {
+    fmt::print(stderr, "tactus bake: warning: {}: {}\n", options.scene, warning);
   }
   if (options.json) {
     fmt::print("{}\n", bake_json(device, output));

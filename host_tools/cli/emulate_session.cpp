@@ -52,6 +52,9 @@ void add_machine_options(CLI::App& verb, MachineOptions& machine) {
   verb.add_option("--mechanism", machine.mechanism,
                   fmt::format("{}", fmt::join(firmware::kPresetNames, ", ")))
       ->capture_default_str();
+  CLI::Option* const file = verb.add_option(
+      "--device-file", machine.device_file,
+      "An own device, arm.toml or arm.tactus: its mechanism, ratios, directions and offsets");
   add_list(verb, "--ratio", machine.ratios,
            "How far the shaft turns for 1 rad or 1 m of the joint: one number, or one a joint (1)");
   add_list(verb, "--direction", machine.directions,
@@ -60,6 +63,10 @@ void add_machine_options(CLI::App& verb, MachineOptions& machine) {
            "-1 where the motor alone is wired the wrong way round (as --direction)");
   add_list(verb, "--offset", machine.offsets,
            "Where the joint is when its shaft is at 0, rad or m: likewise (0)");
+  for (const char* const other :
+       {"--mechanism", "--ratio", "--direction", "--motor-direction", "--offset"}) {
+    file->excludes(verb.get_option(other));
+  }
   verb.add_option("--hand", machine.hand, "Who holds the handle: finger, pen, firm or none")
       ->capture_default_str();
   verb.add_option("--path", machine.path,
@@ -107,7 +114,8 @@ void emulate(const MachineOptions& options, const std::string& what, const Conne
     // A file that cannot be written should be reported now and not after the run.
     write_truth(options.truth, {}, machine.joints());
   }
-  fmt::print("emulating {}; mechanism {}, hand {}\n", what, options.mechanism, options.hand);
+  fmt::print("emulating {}; mechanism {}, hand {}\n", what,
+             options.device_file.empty() ? options.mechanism : options.device_file, options.hand);
   std::fflush(stdout);
   const bool is_watched = ::isatty(STDERR_FILENO) == 1;
   run_in_real_time(run, options.run, [is_watched](const EmulatedRun& now) {

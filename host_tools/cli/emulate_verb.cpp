@@ -16,6 +16,7 @@ constexpr const char* kEmulateExamples =
     "Examples (as root, for a virtual bus: modprobe vcan; ip link add dev vcan0 type vcan;\n"
     "ip link set vcan0 mtu 72; ip link set vcan0 up):\n"
     "  tactus emulate odrive --can vcan0 --nodes 0,1,2 --mechanism woodenhaptics --ratio 16,12,12\n"
+    "  tactus emulate odrive --can vcan0 --nodes 0,1,2 --device-file arm.toml   an own device\n"
     "  tactus emulate odrive --can vcan0 --hand pen --path wish.csv --truth truth.csv --seconds "
     "10\n"
     "  tactus emulate moteus --can vcan0 --fault 1:silent@3 --fault all:none@4 --realtime 60\n"

@@ -16,12 +16,14 @@
 #include "host_tools/bake/scene/friction_description.h"
 #include "host_tools/bake/scene/mapped_scene.h"
 #include "host_tools/bake/scene/open_loops.h"
+#include "host_tools/cli/inspect_device.h"
 #include "host_tools/cli/inspect_graph.h"
 #include "host_tools/cli/inspect_holes.h"
 #include "host_tools/cli/inspect_parts.h"
 #include "host_tools/cli/inspect_profiles.h"
 #include "host_tools/cli/picture_option.h"
 #include "host_tools/files/output_place.h"
+#include "host_tools/input_error.h"
 #include "host_tools/units.h"
 #include "rendering/profiles/chosen_profile.h"
 #include "rendering/scene/scene_world.h"
@@ -45,6 +47,9 @@ constexpr const char* kInspectExamples =
     "  tactus inspect scene.tactus --picture holes.png     marks the holes of its meshes\n"
     "  tactus inspect scene.tactus --json | jq '.objects[] | {name, triangles}'\n"
     "  tactus inspect scene.tactus --json | jq '.profiles[] | select(.fits).name'\n"
+    "  tactus inspect arm.tactus --figure reach.png        what a device reaches, how finely and "
+    "how strongly\n"
+    "  tactus inspect arm.toml --scene scene.tactus        whether it reaches that scene\n"
     "  tactus inspect --graph stone.off                    the connection graph of a mesh, by "
     "type\n"
     "  tactus inspect --graph scene.tactus --picture g.png the graph drawn over the meshes\n"
@@ -55,6 +60,7 @@ constexpr const char* kInspectExamples =
 struct InspectOptions {
   std::string image;
   std::string picture;
+  std::string scene;
   bool json = false;
   InspectGraphOptions graph;
 };
@@ -274,6 +280,17 @@ void run(const InspectOptions& options) {
     inspect_graph(options.graph, options.image, options.picture, options.json);
     return;
   }
+  if (is_device_file(options.image)) {
+    inspect_device({.device = options.image,
+                    .scene = options.scene,
+                    .picture = options.picture,
+                    .json = options.json});
+    return;
+  }
+  if (!options.scene.empty()) {
+    throw InputError(fmt::format("--scene is for a device: tactus inspect arm.tactus --scene {}",
+                                 options.scene));
+  }
   const MappedScene scene(options.image);
   if (!options.picture.empty()) {
     keep_inputs_safe({options.picture}, {options.image});
@@ -289,15 +306,20 @@ void run(const InspectOptions& options) {
 }  // namespace
 
 void add_inspect_verb(CLI::App& app) {
-  CLI::App* verb = app.add_subcommand("inspect", "Check a scene image and show what is in it");
+  CLI::App* verb = app.add_subcommand(
+      "inspect", "Check the image of a scene or a device and show what is in it");
   const auto options = std::make_shared<InspectOptions>();
-  verb->add_option("image", options->image, "Scene image (.tactus), or with --graph a mesh file")
+  verb->add_option(
+          "image", options->image,
+          "Image (.tactus) of a scene or a device, a device.toml, or with --graph a mesh file")
       ->required();
   verb->add_option(
-          "--picture", options->picture,
-          "Draw the scene with the holes of its meshes, or --graph, into this .png, .svg or "
-          ".pdf file")
+          "--picture,--figure", options->picture,
+          "Draw the scene with the holes of its meshes, --graph, or the reach of a device, into "
+          "this .png, .svg or .pdf file")
       ->check(picture_complaint);
+  verb->add_option("--scene", options->scene,
+                   "Of a device: say whether it reaches the objects of this scene image");
   verb->add_flag("--json", options->json, "Print one JSON object");
   add_graph_options(*verb, options->graph);
   verb->footer(kInspectExamples);

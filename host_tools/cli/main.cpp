@@ -30,6 +30,7 @@
 #include "host_tools/cli/flash_verb.h"
 #include "host_tools/cli/foxglove_verb.h"
 #include "host_tools/cli/friction_verb.h"
+#include "host_tools/cli/init_verb.h"
 #include "host_tools/cli/inspect_verb.h"
 #include "host_tools/cli/line_verb.h"
 #include "host_tools/cli/monitor_verb.h"
@@ -72,6 +73,7 @@ constexpr std::array kVerbs = {
     AddVerb{tactus::host::add_commission_verb}, AddVerb{tactus::host::add_monitor_verb},
     AddVerb{tactus::host::add_watch_verb},      AddVerb{tactus::host::add_line_verb},
     AddVerb{tactus::host::add_compare_verb},    AddVerb{tactus::host::add_foxglove_verb},
+    AddVerb{tactus::host::add_init_verb},
 };
 
 // Returns "tactus bake", or "tactus" before a verb is known.

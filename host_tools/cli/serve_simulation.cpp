@@ -7,6 +7,7 @@
 #include <csignal>
 #include <cstdint>
 #include <cstring>
+#include <filesystem>
 #include <limits>
 #include <memory>
 #include <span>
@@ -99,7 +100,7 @@ class ServedSimulation {
   }
 
   // Starts the services of all devices.
-  void serve(const std::vector<std::string>& presets) {
+  void serve(const std::vector<std::string>& devices) {
     for (std::size_t i = 0; i < simulation_->device_count(); ++i) {
       devices_.push_back(std::make_unique<ServedDevice>(i, options_.run_dir));
       devices_[i]->start_telemetry(*simulation_, *scenes_, rate_hz_, options_);
@@ -107,16 +108,21 @@ class ServedSimulation {
         companions_.push_back(&devices_[i]->telemetry().writer());
       }
     }
-    name_devices(presets);
+    name_devices(devices);
     devices_.front()->telemetry().sinks().companions = companions_;
     for (std::size_t i = 0; i < devices_.size(); ++i) {
       devices_[i]->start_commands(i == 0 ? scenes_.get() : nullptr, options_.allow_inject);
     }
   }
 
-  // Links the names of the presets where they tell the devices apart.
-  void name_devices(const std::vector<std::string>& presets) const {
-    std::vector<std::string_view> names(presets.begin(), presets.end());
+  // Links the names of the presets, or of the devices' files, where they tell the devices apart.
+  void name_devices(const std::vector<std::string>& devices) const {
+    std::vector<std::string> stems;
+    stems.reserve(devices.size());
+    for (const std::string& device : devices) {
+      stems.push_back(std::filesystem::path(device).stem().string());
+    }
+    std::vector<std::string_view> names(stems.begin(), stems.end());
     if (names.size() < simulation_->device_count()) {
       names.clear();  // one preset stands for all devices
     }

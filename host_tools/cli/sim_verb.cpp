@@ -4,8 +4,10 @@
 #include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
+#include <iterator>
 #include <memory>
 #include <string>
 #include <vector>
@@ -16,6 +18,7 @@
 #include "host_tools/files/output_place.h"
 #include "host_tools/input_error.h"
 #include "host_tools/remote/remote.h"
+#include "host_tools/simulation/named_device.h"
 #include "host_tools/simulation/run.h"
 
 namespace tactus::host {
@@ -33,6 +36,8 @@ constexpr const char* kSimExamples =
     "  tactus sim scene.tactus --output run.csv       then: tactus plot run.csv --scene "
     "scene.tactus\n"
     "  tactus sim scene.tactus --device falcon --hand firm --seed 7 --path wish.csv\n"
+    "  tactus sim scene.tactus --device arm.toml      an own device that is not built yet: tactus "
+    "init arm\n"
     "  tactus sim scene.tactus --hashes a.txt && tactus sim scene.tactus --hashes b.txt && cmp "
     "a.txt b.txt\n"
     "  tactus sim scene.tactus --record run.mcap      then: tactus replay run.mcap\n"
@@ -65,6 +70,7 @@ struct SimOptions {
 void check_files(const SimOptions& options, std::size_t devices) {
   const SimFiles& files = options.files;
   std::vector<std::filesystem::path> inputs(options.run.paths.begin(), options.run.paths.end());
+  std::ranges::copy_if(options.run.devices, std::back_inserter(inputs), names_file);
   inputs.emplace_back(options.scene);
   std::vector<std::filesystem::path> outputs{files.bodies.places, files.bodies.energy};
   for (const std::string& file : {files.output, files.hashes, files.record, files.explain}) {
@@ -119,7 +125,8 @@ void add_sim_verb(CLI::App& app) {
   RunOptions& run = options->run;
   verb->add_option("scene", options->scene, "Scene image (.tactus)")->required();
   verb->add_option("--device", run.devices,
-                   fmt::format("{}; once for each device, up to ten, or once for all",
+                   fmt::format("{}, or the file of an own device, arm.toml or arm.tactus; once for "
+                               "each device, up to ten, or once for all",
                                fmt::join(firmware::kPresetNames, ", ")))
       ->allow_extra_args(false)
       ->capture_default_str();
@@ -130,8 +137,9 @@ void add_sim_verb(CLI::App& app) {
   verb->add_option("--seed", run.seed, "Seed of the hand's tremor")->capture_default_str();
   verb->add_option("--seconds", run.seconds,
                    "How long to simulate; default: until the wish path ends");
-  verb->add_option("--rate-hz", run.rate_hz, "Ticks of the controller a second, 50 to 50000")
-      ->capture_default_str();
+  CLI::Option* const rate = verb->add_option(
+      "--rate-hz", run.rate_hz,
+      "Ticks of the controller a second, 50 to 50000 (that of a device file, else 1000)");
   verb->add_option("--compensate", run.compensated_share,
                    "Share of the joints' friction that the controller takes over, 0 to 0.9")
       ->capture_default_str();
@@ -159,6 +167,8 @@ void add_sim_verb(CLI::App& app) {
       "--fault", run.faults,
       "Let a device fail: stale, nan, estop or lost, like stale@2.5x3, or 2:lost@4 for "
       "the second one");
+  verb->add_flag("--allow-uncertified", run.allow_uncertified,
+                 "Touch a scene that is stiffer than the certificate of the device's file");
   verb->add_flag("--json", options->json, "Print the summary as one JSON object");
   CLI::Option* const serve = verb->add_flag("--serve", options->serve,
                                             "Run in wall-clock time behind the sockets of tactusd, "
@@ -180,7 +190,12 @@ void add_sim_verb(CLI::App& app) {
     serve->excludes(verb->get_option(other));
   }
   verb->footer(kSimExamples);
-  verb->callback([options] { run_sim(*options); });
+  verb->callback([options, rate] {
+    if (rate->empty()) {
+      options->run.rate_hz = described_rate_hz(options->run);
+    }
+    run_sim(*options);
+  });
 }
 
 }  // namespace tactus::host

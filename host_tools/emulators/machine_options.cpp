@@ -1,14 +1,13 @@
 #include "host_tools/emulators/machine_options.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
 #include <string_view>
 
-#include "firmware/configuration/controller_config.h"
 #include "host_tools/input_error.h"
+#include "host_tools/simulation/named_device.h"
 #include "host_tools/simulation/wish_path_file.h"
 
 namespace tactus::host {
@@ -25,13 +24,10 @@ double for_joint(const std::vector<double>& values, std::size_t joint, std::size
   return values.size() == 1 ? values.front() : values[joint];
 }
 
-DevicePreset mechanism_preset(const std::string& name) {
-  const auto preset = device_preset(name);
-  if (!preset) {
-    throw InputError(fmt::format("--mechanism: there is no '{}'; there are: {}", name,
-                                 fmt::join(firmware::kPresetNames, ", ")));
-  }
-  return *preset;
+// Returns the device of the file, or the preset.
+NamedDevice machine_device(const MachineOptions& options) {
+  return options.device_file.empty() ? named_device(options.mechanism, "--mechanism")
+                                     : named_device(options.device_file, "--device-file");
 }
 
 HandParameters hand_of(const std::string& name) {
@@ -50,7 +46,7 @@ HandParameters hand_of(const std::string& name) {
 
 EmulatedMachineConfig machine_config(const MachineOptions& options) {
   EmulatedMachineConfig config;
-  config.device = mechanism_preset(options.mechanism);
+  config.device = machine_device(options).device;
   config.hand = hand_of(options.hand);
   config.let_go_s = options.let_go_s;
   if (options.balanced) {
@@ -78,6 +74,9 @@ EmulatedMachineConfig machine_config(const MachineOptions& options) {
 
 std::vector<drivers::Transmission> transmissions(const MachineOptions& options,
                                                  std::size_t joints) {
+  if (!options.device_file.empty()) {
+    return machine_device(options).transmissions;
+  }
   std::vector<drivers::Transmission> result;
   for (std::size_t i = 0; i < joints; ++i) {
     const double ratio = for_joint(options.ratios, i, joints, "--ratio");

@@ -19,6 +19,9 @@ namespace tactus::host {
 struct MachineOptions {
   // One of firmware::kPresetNames.
   std::string mechanism;
+  // A device file or image that describes the mechanism, and the ratios, directions and offsets of
+  // its joints, in place of the options for them; empty: none.
+  std::string device_file;
   // Turns of a drive's shaft for a turn of its joint.
   std::vector<double> ratios = {1.0};
   // 1 if shaft and joint turn the same way, else -1.

@@ -3,14 +3,14 @@
 #include <numbers>
 
 #include "hal/angle.h"
-#include "host_tools/simulation/linkages.h"
+#include "host_tools/simulation/plant_lengths.h"
 
 namespace tactus::host {
 
 DevicePreset cartesian_preset() {
   DevicePreset preset;
   PlantParameters& plant = preset.device.plant;
-  plant.mechanism = MechanismKind::cartesian;
+  plant.mechanism = CartesianAxes{};
   plant.moving_mass_kg = 0.1;
   plant.viscous_Ns_per_m = 0.5;
   // The Coulomb level is the back-drive friction of a light desktop arm: the PHANToM Premium has
@@ -38,7 +38,7 @@ DevicePreset falcon_preset() {
   DevicePreset preset;
   preset.centre_B = Vec3(0.0, 0.0, 0.12);
   PlantParameters& plant = preset.device.plant;
-  plant.mechanism = MechanismKind::falcon_delta;
+  plant.mechanism = DeltaLengths{};
   plant.moving_mass_kg = 0.25;
   plant.viscous_Ns_per_m = 0.5;
   // 0.006 N m on a 60 mm arm is 0.1 N at the knee.
@@ -62,9 +62,9 @@ DevicePreset hapkit_preset() {
   constexpr double kPulley_m = 0.004191;
   constexpr double kSector_m = 0.073152;
   DevicePreset preset;
-  preset.centre_B = Vec3(0.0, kPaddleRadius_m, 0.0);
+  preset.centre_B = Vec3(0.0, PaddleLengths{}.radius_m, 0.0);
   PlantParameters& plant = preset.device.plant;
-  plant.mechanism = MechanismKind::hapkit;
+  plant.mechanism = PaddleLengths{};
   plant.moving_mass_kg = 0.08;
   plant.viscous_Ns_per_m = 0.3;
   // 0.1 N at the handle.
@@ -90,7 +90,7 @@ DevicePreset haply_pantograph_preset() {
   DevicePreset preset;
   preset.centre_B = Vec3(0.01, 0.0, 0.075);
   PlantParameters& plant = preset.device.plant;
-  plant.mechanism = MechanismKind::haply_pantograph;
+  plant.mechanism = PantographLengths{};
   plant.moving_mass_kg = 0.06;
   plant.viscous_Ns_per_m = 0.3;
   // 0.05 N at the handle.
@@ -117,7 +117,7 @@ DevicePreset phantom_premium_preset() {
   DevicePreset preset;
   preset.centre_B = Vec3(0.0, -0.11, 0.21);
   PlantParameters& plant = preset.device.plant;
-  plant.mechanism = MechanismKind::phantom_premium;
+  plant.mechanism = kPhantomLengths;
   plant.moving_mass_kg = 0.075;
   plant.viscous_Ns_per_m = 0.5;
   // The back-drive friction of 0.04 N on a lever of 0.2 m.
@@ -143,7 +143,7 @@ DevicePreset woodenhaptics_preset() {
   DevicePreset preset;
   preset.centre_B = Vec3(0.0, 0.08, 0.22);
   PlantParameters& plant = preset.device.plant;
-  plant.mechanism = MechanismKind::woodenhaptics;
+  plant.mechanism = kWoodenLengths;
   plant.moving_mass_kg = 0.25;
   plant.viscous_Ns_per_m = 0.6;
   // 0.1 N on a lever of 0.22 m.

@@ -1,8 +1,9 @@
-// The closed-form geometry of the paddle, the pantograph and the serial arms for
+// The closed-form geometry of the delta, the paddle, the pantograph and the serial arms for
 // plant_mechanism.cpp, one function for each question that plant_mechanism.h asks. All points are
 // in the base frame B, m.
 //
 // A joint's coordinate is tan(half its angle). The angles are counted as follows:
+//   delta        each arm from the base plane toward the user (+z)
 //   paddle       from straight up
 //   pantograph   both cranks from straight toward the user (+z)
 //   serial arm   azimuth from straight toward the user (+z), upper arm and forearm from level
@@ -25,31 +26,23 @@ struct Turn {
 // Returns cosine and sine of the angle whose half has this tangent.
 Turn turn_of(double tan_half);
 
-// The distance of the Hapkit's handle from its axis.
-inline constexpr double kPaddleRadius_m = 0.065659;
-
 // Each of these solves the pose of its mechanism for a handle at p_B: coordinates, rows and whether
 // the links reach there.
-void solve_paddle(const Vec3& p_B, MechanismPose& pose);
-
-void solve_pantograph(const Vec3& p_B, MechanismPose& pose);
-// Returns the sum of the two elbows' positions, m.
-Vec3 pantograph_elbow_sum(const MechanismPose& pose);
+void solve_delta(const DeltaLengths& lengths, const Vec3& p_B, MechanismPose& pose);
+// Returns the sum of the three elbows' positions, m.
+Vec3 delta_elbow_sum(const DeltaLengths& lengths, const MechanismPose& pose);
 // Returns the force on the handle, N, from gravity (m/s^2) on 1 kg at each elbow.
-Vec3 pantograph_elbow_pull(const MechanismPose& pose, const Vec3& gravity_B);
+Vec3 delta_elbow_pull(const DeltaLengths& lengths, const MechanismPose& pose,
+                      const Vec3& gravity_B);
 
-// The lengths of a serial arm.
-struct ArmLengths {
-  // The distance from the shoulder to the elbow.
-  double upper_m = 0.0;
-  // The distance from the elbow to the handle.
-  double forearm_m = 0.0;
-  // The height of the shoulder above the base frame's origin.
-  double shoulder_m = 0.0;
-};
-inline constexpr ArmLengths kPhantomLengths{.upper_m = 0.209550, .forearm_m = 0.169545};
-inline constexpr ArmLengths kWoodenLengths{
-    .upper_m = 0.205, .forearm_m = 0.245, .shoulder_m = 0.080};
+void solve_paddle(const PaddleLengths& lengths, const Vec3& p_B, MechanismPose& pose);
+
+void solve_pantograph(const PantographLengths& lengths, const Vec3& p_B, MechanismPose& pose);
+// Returns the sum of the two elbows' positions, m.
+Vec3 pantograph_elbow_sum(const PantographLengths& lengths, const MechanismPose& pose);
+// Returns the force on the handle, N, from gravity (m/s^2) on 1 kg at each elbow.
+Vec3 pantograph_elbow_pull(const PantographLengths& lengths, const MechanismPose& pose,
+                           const Vec3& gravity_B);
 
 void solve_serial_arm(const ArmLengths& lengths, const Vec3& p_B, MechanismPose& pose);
 // Returns the position of the elbow, m.

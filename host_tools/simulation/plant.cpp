@@ -89,15 +89,15 @@ void Plant::step(const JointEfforts& effort, const Grip& grip, double dt_s) {
 // v' = 2 u - v. On the paddle's arc the velocity then turns with the arc: its direction is tangent
 // at the new place, its size is what the forces made of it, so that turning costs no energy.
 void Plant::move(const Vec3& mean_v_B, double dt_s) {
-  const MechanismKind kind = parameters_.mechanism;
+  const PlantMechanism& mechanism = parameters_.mechanism;
   const Vec3 ahead_v_B = 2.0 * mean_v_B - v_B_;
-  p_B_ = on_manifold(kind, p_B_ + dt_s * mean_v_B);
-  v_B_ = along_manifold(kind, p_B_, ahead_v_B);
+  p_B_ = on_manifold(mechanism, p_B_ + dt_s * mean_v_B);
+  v_B_ = along_manifold(mechanism, p_B_, ahead_v_B);
   const double speed = v_B_.norm();
-  if (kind == MechanismKind::hapkit && speed > 0.0) {
+  if (std::holds_alternative<PaddleLengths>(mechanism) && speed > 0.0) {
     v_B_ *= ahead_v_B.norm() / speed;
   }
-  solve_mechanism(kind, p_B_, pose_);
+  solve_mechanism(mechanism, p_B_, pose_);
 }
 
 double Plant::stored_energy_J() const {

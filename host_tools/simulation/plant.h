@@ -26,7 +26,7 @@ using JointEfforts = std::array<double, kPlantJoints>;
 
 // The mechanics of a device.
 struct PlantParameters {
-  MechanismKind mechanism = MechanismKind::cartesian;
+  PlantMechanism mechanism = CartesianAxes{};
   // The device's mass as felt at the handle.
   double moving_mass_kg = 0.1;
   // Damping at the handle, alike in all directions.

@@ -1,7 +1,6 @@
 #include "host_tools/simulation/run.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -11,6 +10,7 @@
 #include <utility>
 
 #include "host_tools/input_error.h"
+#include "host_tools/simulation/named_device.h"
 #include "host_tools/simulation/wish_path_file.h"
 #include "rendering/limits.h"
 #include "rendering/scene/scene_world.h"
@@ -76,6 +76,23 @@ void compensate_friction(double share, SimulationConfig& config) {
        .turn_length = kCounts * config.device.device.encoder_resolution});
 }
 
+// The simulation moves the world's origin to the middle of the path. The walls of a device file's
+// workspace stay where they are on the device; a wall that is nowhere stays nowhere.
+void keep_walls_on_device(SimulationConfig& config) {
+  const firmware::SafetyConfig without_walls;
+  firmware::SafetyConfig& safety = config.controller.safety;
+  const Vec3 moved_m =
+      config.controller.workspace_origin_D - (config.device.centre_B - config.path.middle());
+  for (int axis = 0; axis < 3; ++axis) {
+    if (safety.workspace_lower_W[axis] > without_walls.workspace_lower_W[axis]) {
+      safety.workspace_lower_W[axis] += moved_m[axis];
+    }
+    if (safety.workspace_upper_W[axis] < without_walls.workspace_upper_W[axis]) {
+      safety.workspace_upper_W[axis] += moved_m[axis];
+    }
+  }
+}
+
 // Warns where the path is longer than the device's travel.
 void warn_of_stops(const SimulationConfig& config, const std::string& device_name,
                    std::vector<std::string>& warnings) {
@@ -100,27 +117,27 @@ const std::string& of_device(const std::vector<std::string>& list, std::size_t n
 SimulationConfig plan_device(const RunOptions& options, std::size_t number,
                              std::span<const rendering::Object> objects, double tool_radius_m) {
   const std::string& device_name = of_device(options.devices, number);
-  const std::optional<DevicePreset> device = device_preset(device_name);
-  const std::optional<firmware::ControllerConfig> controller = firmware::preset_config(device_name);
-  if (!device || !controller) {
-    throw InputError(fmt::format("--device {}: there are {}", device_name,
-                                 fmt::join(firmware::kPresetNames, ", ")));
-  }
+  const NamedDevice named = named_device(device_name, "--device");
   const std::string& hand_name = of_device(options.hands, number);
   const std::optional<HandParameters> hand = hand_preset(hand_name);
   if (!hand) {
     throw InputError(fmt::format("--hand {}: there are finger, pen and firm", hand_name));
   }
-  SimulationConfig config{.device = *device,
-                          .controller = *controller,
-                          .hand = *hand,
-                          .path = choose_path(options, number, *device, objects, tool_radius_m),
-                          // Hands tremble apart.
-                          .seed = options.seed + number,
-                          .rate_hz = options.rate_hz,
-                          .faults = {},
-                          .requests = {}};
-  config.controller.safety.moving_mass_kg = device->device.plant.moving_mass_kg;
+  SimulationConfig config{
+      .device = named.device,
+      .controller = named.controller,
+      .hand = *hand,
+      .path = choose_path(options, number, named.device, objects, tool_radius_m),
+      // Hands tremble apart.
+      .seed = options.seed + number,
+      .rate_hz = options.rate_hz,
+      .faults = {},
+      .requests = {}};
+  config.controller.allow_uncertified = options.allow_uncertified;
+  config.controller.safety.moving_mass_kg = named.device.device.plant.moving_mass_kg;
+  if (named.is_described()) {
+    keep_walls_on_device(config);
+  }
   compensate_friction(options.compensated_share, config);
   return config;
 }
@@ -146,6 +163,12 @@ std::size_t device_count(const RunOptions& options) {
                                  count, options.paths.size()));
   }
   return count;
+}
+
+double described_rate_hz(const RunOptions& options) {
+  const auto file = std::ranges::find_if(options.devices, names_file);
+  return file == options.devices.end() ? options.rate_hz
+                                       : named_device(*file, "--device").controller.rate_hz;
 }
 
 DeviceFaultEvent parse_fault(std::string_view text) {

@@ -19,8 +19,8 @@ namespace tactus::host {
 
 // The options of a run in the user's words, with the defaults of `tactus sim`.
 struct RunOptions {
-  // The devices, each one of firmware::kPresetNames. One name with several paths stands for as many
-  // devices of that name.
+  // The devices, each one as named_device() takes it. One name with several paths stands for as
+  // many devices of that name.
   std::vector<std::string> devices = {"cartesian"};
   // "finger", "pen" or "firm": one for each device, or one for all.
   std::vector<std::string> hands = {"pen"};
@@ -34,12 +34,18 @@ struct RunOptions {
   // A CSV file with the wish path of each device. For one device it may be missing: a path is then
   // made from the scene.
   std::vector<std::string> paths;
+  // True: a scene beyond the certificate of a device file is touched all the same.
+  bool allow_uncertified = false;
   // Device faults, each a text that parse_fault() reads.
   std::vector<std::string> faults;
 };
 
 // Returns the number of devices. Throws InputError if devices, hands and paths do not go together.
 std::size_t device_count(const RunOptions& options);
+
+// Returns the rate of the first device that is described by a file; that of the options if there is
+// none. Throws InputError if the file cannot be used.
+double described_rate_hz(const RunOptions& options);
 
 // A run that is ready to start.
 struct RunPlan {

@@ -4,10 +4,17 @@
 
 #include <array>
 
+#include "firmware/device_file/certificate_words.h"
 #include "host_tools/configure_controller.h"
 #include "host_tools/input_error.h"
 
 namespace tactus::host {
+namespace {
+
+// Room for the longest words about a refused scene.
+constexpr std::size_t kRefusalRoom = 1024;
+
+}  // namespace
 
 Simulation::Simulation(std::span<const SimulationConfig> devices,
                        std::span<const rendering::Object> objects, double tool_radius_m)
@@ -22,9 +29,10 @@ Simulation::Simulation(std::span<const SimulationConfig> devices,
   }
   rendering::WorldConfig world = devices.front().world;
   world.tool_radius_m = tool_radius_m;
-  if (!controller_->load_scene(objects, world)) {
-    throw InputError(
-        "the controller refused the scene: too many objects, or one without triangles");
+  if (const auto loaded = controller_->load_scene(objects, world); !loaded) {
+    std::array<char, kRefusalRoom> room{};
+    throw InputError(fmt::format("the controller refused the scene: {}",
+                                 firmware::refusal_words(loaded.error(), {}, room)));
   }
 }
 

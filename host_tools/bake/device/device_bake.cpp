@@ -11,6 +11,7 @@
 #include "firmware/device_file/device_certificate.h"
 #include "firmware/device_file/device_commissioning.h"
 #include "host_tools/bake/device/certificate_file.h"
+#include "host_tools/bake/device/shaft_checks.h"
 #include "host_tools/bake/device/written_sections.h"
 #include "host_tools/bake/toml/key_advice.h"
 #include "host_tools/bake/toml/toml_file.h"
@@ -157,7 +158,7 @@ LoadedDevice bake_device(const std::filesystem::path& file) {
   const std::string name = file.string();
   std::vector<WrittenSection> written = read_device_file(name);
   (void)write_checked(written);  // an error of the device's own comes first
-  std::vector<std::string> warnings;
+  std::vector<std::string> warnings = check_shafts(written);
   for (const FoundOut& found_out : kFoundOut) {
     const std::filesystem::path beside = found_out.path(file);
     std::optional<WrittenSection> section = read_found_out(beside, found_out);
@@ -180,6 +181,20 @@ LoadedDevice bake_device(const std::filesystem::path& file) {
     device.warn(std::move(warning));
   }
   return device;
+}
+
+LoadedDevice load_device(const std::filesystem::path& file) {
+  if (file.extension() != ".toml") {
+    const std::string text = read_file(file);
+    const auto bytes = std::as_bytes(std::span(text));
+    return {{bytes.begin(), bytes.end()}, file.string()};
+  }
+  if (!describes_device(file)) {
+    throw InputError(
+        fmt::format("{}: is no device, it has no [mechanism]; write a device.toml or its image",
+                    file.string()));
+  }
+  return bake_device(file);
 }
 
 std::string in_words(const firmware::DeviceConfig& config) {

@@ -47,6 +47,10 @@ bool describes_device(const std::filesystem::path& file);
 // if not. Throws InputError naming file, line and remedy.
 LoadedDevice bake_device(const std::filesystem::path& file);
 
+// Returns the device of a file: bake_device() of a device.toml, or the content of an image
+// (.tactus). Throws InputError if it is neither.
+LoadedDevice load_device(const std::filesystem::path& file);
+
 // Returns a summary for the user, such as "3 joints on 1 connection: ...".
 std::string in_words(const firmware::DeviceConfig& config);
 

@@ -57,9 +57,9 @@ struct EmulatedArm {
       EXPECT_TRUE(board.add(kind.driver(i)));
     }
     MechanismPose pose;
-    solve_mechanism(MechanismKind::woodenhaptics, config.device.centre_B, pose);
+    solve_mechanism(kWoodenLengths, config.device.centre_B, pose);
     for (std::size_t i = 0; i < 3; ++i) {
-      middle[i] = joint_position(MechanismKind::woodenhaptics, i, pose.coordinate[i]);
+      middle[i] = joint_position(kWoodenLengths, i, pose.coordinate[i]);
     }
     run.emplace(*machine, EmulatedRunConfig{.faults = faults, .truth_period_ns = 100'000});
     clocked.emplace(*run, clock);

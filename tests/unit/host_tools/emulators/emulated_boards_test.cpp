@@ -26,11 +26,11 @@ struct PantographOnALine {
     EmulatedMachineConfig config;
     config.device = haply_pantograph_preset();
     MechanismPose pose;
-    solve_mechanism(MechanismKind::haply_pantograph, config.device.centre_B, pose);
+    solve_mechanism(PantographLengths{}, config.device.centre_B, pose);
     drivers::HaplyConfig driver_config;
     driver_config.unproven_watchdog = true;
     for (std::size_t i = 0; i < 2; ++i) {
-      home_rad[i] = joint_position(MechanismKind::haply_pantograph, i, pose.coordinate[i]);
+      home_rad[i] = joint_position(PantographLengths{}, i, pose.coordinate[i]);
       driver_config.axis[i].home_rad = home_rad[i];
     }
     machine.emplace(config, clock.now_ns());

@@ -15,7 +15,7 @@ namespace {
 
 constexpr double kRadPerDegree = std::numbers::pi / 180.0;
 
-Vec3 joints_at(MechanismKind kind, const Vec3& p_B) {
+Vec3 joints_at(const PlantMechanism& kind, const Vec3& p_B) {
   MechanismPose pose;
   solve_mechanism(kind, p_B, pose);
   EXPECT_TRUE(pose.reachable) << p_B.transpose();
@@ -26,7 +26,8 @@ Vec3 joints_at(MechanismKind kind, const Vec3& p_B) {
   return joints;
 }
 
-void expect_degrees(MechanismKind kind, const Vec3& p_B, const Vec3& degrees, double within_deg) {
+void expect_degrees(const PlantMechanism& kind, const Vec3& p_B, const Vec3& degrees,
+                    double within_deg) {
   EXPECT_LT((joints_at(kind, p_B) / kRadPerDegree - degrees).cwiseAbs().maxCoeff(), within_deg)
       << p_B.transpose();
 }
@@ -35,16 +36,16 @@ void expect_degrees(MechanismKind kind, const Vec3& p_B, const Vec3& degrees, do
 TEST(HapkitMechanism, MeetsThePublishedCheckPoints) {
   for (const auto& [angle_deg, arc_m] :
        {std::pair{4.9513, 5.674e-3}, std::pair{-5.7487, -6.588e-3}}) {
-    const double angle = arc_m / kPaddleRadius_m;
-    const Vec3 p_B(kPaddleRadius_m * std::sin(angle), kPaddleRadius_m * std::cos(angle), 0.0);
-    expect_degrees(MechanismKind::hapkit, p_B, {angle_deg, 0.0, 0.0}, 5e-4);
+    const double angle = arc_m / PaddleLengths{}.radius_m;
+    const Vec3 p_B(PaddleLengths{}.radius_m * std::sin(angle),
+                   PaddleLengths{}.radius_m * std::cos(angle), 0.0);
+    expect_degrees(PaddleLengths{}, p_B, {angle_deg, 0.0, 0.0}, 5e-4);
   }
 }
 
 TEST(HaplyMechanism, MeetsThePublishedCheckPoints) {
   const auto expect = [](double x, double z, double first_deg, double second_deg) {
-    expect_degrees(MechanismKind::haply_pantograph, {x, 0.0, z}, {first_deg, second_deg, 0.0},
-                   2e-3);
+    expect_degrees(PantographLengths{}, {x, 0.0, z}, {first_deg, second_deg, 0.0}, 2e-3);
   };
   expect(0.010000, 0.070376, 150.0, 30.0);
   expect(0.010000, 0.088674, 135.0, 45.0);
@@ -59,7 +60,7 @@ TEST(HaplyMechanism, MeetsThePublishedCheckPoints) {
 TEST(PhantomMechanism, MeetsThePublishedCheckPoints) {
   const auto expect = [](const Vec3& outward_right_up, const Vec3& degrees) {
     const Vec3 p_B(outward_right_up.y(), outward_right_up.z(), outward_right_up.x());
-    expect_degrees(MechanismKind::phantom_premium, p_B, degrees, 1e-3);
+    expect_degrees(kPhantomLengths, p_B, degrees, 1e-3);
   };
   expect({0.20955, 0.0, -0.169545}, {0.0, 0.0, 0.0});
   expect({0.264912, 0.152947, -0.058209}, {30.0, 20.0, 40.0});
@@ -70,8 +71,7 @@ TEST(PhantomMechanism, MeetsThePublishedCheckPoints) {
 TEST(WoodenHapticsMechanism, MeetsThePublishedCheckPoints) {
   const auto expect = [](const Vec3& outward_right_up, const Vec3& degrees) {
     const Vec3 p_B(outward_right_up.y(), outward_right_up.z() + 0.08, outward_right_up.x() + 0.22);
-    expect_degrees(MechanismKind::woodenhaptics, p_B,
-                   {degrees.x(), 90.0 - degrees.y(), degrees.z()}, 1e-3);
+    expect_degrees(kWoodenLengths, p_B, {degrees.x(), 90.0 - degrees.y(), degrees.z()}, 1e-3);
   };
   expect({0.0250, 0.0, 0.2050}, {0.0, 0.0, 90.0});
   expect({0.1275, 0.0, 0.177535}, {0.0, 30.0, 90.0});
@@ -94,7 +94,7 @@ class EveryPlantMechanism : public ::testing::TestWithParam<std::string_view> {
   }
 
   const DevicePreset preset_ = *device_preset(GetParam());
-  const MechanismKind kind_ = preset_.device.plant.mechanism;
+  const PlantMechanism& kind_ = preset_.device.plant.mechanism;
   SplitMix64 random_{7};
 };
 
@@ -150,7 +150,7 @@ TEST_P(EveryPlantMechanism, TheWholeWorkspaceIsReachable) {
     MechanismPose pose;
     solve_mechanism(kind_, on_manifold(kind_, p_B), pose);
     // The Falcon's far corners are beyond its legs.
-    EXPECT_TRUE(pose.reachable || kind_ == MechanismKind::falcon_delta) << p_B.transpose();
+    EXPECT_TRUE(pose.reachable || std::holds_alternative<DeltaLengths>(kind_)) << p_B.transpose();
   }
 }
 

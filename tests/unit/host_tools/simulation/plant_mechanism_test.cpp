@@ -12,13 +12,12 @@ namespace {
 
 Vec3 angles_deg(const Vec3& p_B) {
   MechanismPose pose;
-  solve_mechanism(MechanismKind::falcon_delta, p_B, pose);
+  solve_mechanism(DeltaLengths{}, p_B, pose);
   EXPECT_TRUE(pose.reachable);
   Vec3 degrees;
   for (std::size_t i = 0; i < kPlantJoints; ++i) {
     degrees[static_cast<int>(i)] =
-        joint_position(MechanismKind::falcon_delta, i, pose.coordinate[i]) * 180.0 /
-        std::numbers::pi;
+        joint_position(DeltaLengths{}, i, pose.coordinate[i]) * 180.0 / std::numbers::pi;
   }
   return degrees;
 }
@@ -43,7 +42,7 @@ TEST(FalconMechanism, RowsAreTheSlopesOfTheJointAngles) {
     const Vec3 p_B(random.uniform(-0.045, 0.045), random.uniform(-0.045, 0.045),
                    random.uniform(0.08, 0.16));
     MechanismPose pose;
-    solve_mechanism(MechanismKind::falcon_delta, p_B, pose);
+    solve_mechanism(DeltaLengths{}, p_B, pose);
     if (!pose.reachable) {
       continue;
     }
@@ -63,7 +62,7 @@ TEST(FalconMechanism, RowsAreTheSlopesOfTheJointAngles) {
 TEST(FalconMechanism, StaysFiniteWhereTheLegsDoNotReach) {
   for (const Vec3& p_B : {Vec3(0.0, 0.0, 0.3), Vec3(0.2, 0.0, 0.1), Vec3(0.0, 0.0, 0.0)}) {
     MechanismPose pose;
-    solve_mechanism(MechanismKind::falcon_delta, p_B, pose);
+    solve_mechanism(DeltaLengths{}, p_B, pose);
     EXPECT_FALSE(pose.reachable);
     for (const Vec3& row : pose.rows) {
       EXPECT_TRUE(row.allFinite());

@@ -161,7 +161,7 @@ TEST(Plant, LeftAloneItNeverGainsEnergy) {
 // A paddle that stands on its head: heavy side up in a gravity that pulls up.
 TEST(Plant, APaddleSwingsAsAPendulum) {
   PlantParameters parameters = smooth_plant();
-  parameters.mechanism = MechanismKind::hapkit;
+  parameters.mechanism = PaddleLengths{};
   parameters.viscous_Ns_per_m = 0.0;
   parameters.handle_kg = 0.05;
   parameters.gravity_B = {0.0, 10.0, 0.0};

@@ -40,7 +40,7 @@ TEST_F(DeviceRefusals, AbsoluteIsRefusedWhereTheEncoderIsIncremental) {
 TEST_F(DeviceRefusals, AbsoluteIsRefusedWhereATurnOfTheEncoderIsAmbiguous) {
   const auto with_ratio = [](const std::string& ratio) {
     return paddle("encoder = \"absolute_turn\"\nencoder_turn_begins_rad = -3.14159265\n",
-                  "reference = \"absolute\"\nencoder_ratio = " + ratio + "\n");
+                  "reference = \"absolute\"\nmotor_ratio = 1\nencoder_ratio = " + ratio + "\n");
   };
   expect_bakes(with_ratio("1"));
   expect_bakes(with_ratio("3.79"));
@@ -48,8 +48,8 @@ TEST_F(DeviceRefusals, AbsoluteIsRefusedWhereATurnOfTheEncoderIsAmbiguous) {
   expect_words(with_ratio("12"),
                {"0.524 rad", "encoder_ratio 12", "travel of 1.571 rad", "(-0.785 to 0.785)",
                 "reference = \"known_pose\"", "absolute encoder at the joint"});
-  expect_bakes(
-      paddle("encoder = \"absolute\"\n", "reference = \"absolute\"\nencoder_ratio = 12\n"));
+  expect_bakes(paddle("encoder = \"absolute\"\n",
+                      "reference = \"absolute\"\nmotor_ratio = 1\nencoder_ratio = 12\n"));
 }
 
 TEST_F(DeviceRefusals, AbsoluteIsRefusedWhereTheTurnBeginsWithinTheTravel) {
@@ -64,7 +64,8 @@ TEST_F(DeviceRefusals, AbsoluteIsRefusedWhereTheTurnBeginsWithinTheTravel) {
 TEST_F(DeviceRefusals, AMoteusKnowsOneTurnOfItsOutputAndBeginsAtMinusHalfATurn) {
   const auto with = [](const std::string& kind, const std::string& ratio) {
     return device("hapkit", 1000.0) + kBus + axis("servo", "moteus_canfd", kind) +
-           joint("paddle", "servo", "reference = \"absolute\"\nencoder_ratio = " + ratio + "\n");
+           joint("paddle", "servo",
+                 "reference = \"absolute\"\nmotor_ratio = 1\nencoder_ratio = " + ratio + "\n");
   };
   expect_bakes(with("encoder = \"absolute\"\n", "1"));
   expect_words(with("encoder = \"absolute\"\n", "12"), {"is ambiguous"});
