@@ -77,13 +77,13 @@ void tell(const Reply& reply, bool as_json) {
   }
 }
 
-// Prints the parameters of a reply as a table.
+// Prints a reply; one that lists parameters as a table.
 void tell_parameters(const Reply& reply, bool as_json) {
-  if (as_json || !reply.is_ok) {
+  if (as_json || reply.lines.empty()) {
     tell(reply, as_json);
     return;
   }
-  fmt::print("{}", parameter_table(reply.lines.empty() ? std::vector{reply.text} : reply.lines));
+  fmt::print("{}", parameter_table(reply.lines));
 }
 
 // Sends one line and returns the reply.

@@ -1,4 +1,4 @@
-// What `tactus replay` has found, in words or as JSON.
+// Prints the findings of `tactus replay`, in words or as JSON.
 #pragma once
 
 #include <cstddef>

@@ -27,7 +27,9 @@ namespace {
 constexpr const char* kSimExamples =
     "A wish path is where the hand wants to be, with header t_s,x_m,y_m,z_m; without one the hand\n"
     "presses and strokes the front of the scene for ten seconds (a device with one axis presses\n"
-    "on its right side). The device stands so that the middle of the path is the middle of its\n"
+    "on its right side), and again and again with more --seconds. It does so in the middle, or,\n"
+    "where nothing is there, on the broadest part; if it touches nothing all the same, the exit\n"
+    "code is 3. The device stands so that the middle of the path is the middle of its\n"
     "workspace. The columns of the output and the "
     "devices,\n"
     "hands and faults are described in host_tools/simulation/README.md.\n"
@@ -64,6 +66,9 @@ struct SimOptions {
   ServeOptions serving{.run_dir = std::string(kDefaultRunDir)};
   RunOptions run;
 };
+
+// The exit code of a run along its own path in which nothing was touched.
+constexpr int kNothingTouched = 3;
 
 // Throws InputError if an output is an input or another output, if several devices would share a
 // pipe, or if a recording is there that may not be overwritten.
@@ -114,6 +119,11 @@ void run_sim(const SimOptions& options) {
   const std::vector<RunSummary> summaries =
       simulate("sim", options.scene, options.run, options.files);
   print(options, summaries);
+  const bool is_untouched =
+      std::ranges::all_of(summaries, [](const RunSummary& s) { return s.contact_ticks == 0; });
+  if (options.run.paths.empty() && is_untouched) {
+    throw CLI::RuntimeError(kNothingTouched);
+  }
 }
 
 }  // namespace

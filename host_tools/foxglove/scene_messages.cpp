@@ -112,7 +112,7 @@ std::string scene_message(const rendering::SceneImage& scene, std::uint64_t time
   std::string_view separator;
   for (std::size_t i = 0; i < scene.objects().size(); ++i) {
     fmt::format_to(std::back_inserter(text), "{}", separator);
-    // What is shown must be later than what removes it.
+    // A removal must be earlier than the entities that take the place.
     append_object(text, scene, i, time_ns + 1);
     separator = ",";
   }

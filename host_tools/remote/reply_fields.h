@@ -26,8 +26,8 @@ std::vector<ReplyField> fields_of(std::string_view line);
 // list of names. A refusal has its text.
 nlohmann::ordered_json json_of(const Reply& reply);
 
-// Returns the parameters of the lines, those of a list or of `get`, as a table with a line for
-// each: its name, value, unit, and its range or choices.
+// Returns the parameters of a list's lines as a table with a line for each: its name, value, unit,
+// and its range or choices.
 std::string parameter_table(const std::vector<std::string>& lines);
 
 }  // namespace tactus::host

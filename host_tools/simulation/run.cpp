@@ -55,9 +55,9 @@ WishPath choose_path(const RunOptions& options, std::size_t number, const Device
   // stiffness.
   constexpr double kPress_m = 0.005;
   if (joints_of(device.device.plant.mechanism) == 1) {
-    return sideways_wish_path(objects, tool_radius_m, kPress_m);
+    return sideways_wish_path(objects, tool_radius_m, kPress_m).repeated();
   }
-  return default_wish_path(objects, tool_radius_m, kPress_m, 0.8 * travel(device).x());
+  return default_wish_path(objects, tool_radius_m, kPress_m, 0.8 * travel(device).x()).repeated();
 }
 
 // Sets friction compensation as if the device's friction had been measured exactly. `share` is the

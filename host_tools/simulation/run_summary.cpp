@@ -111,9 +111,14 @@ std::string summary_text(const RunSummary& summary) {
   std::string text =
       fmt::format("simulated   {:.3f} s in {:.3f} s of wall time ({:.0f} times real time)\n",
                   summary.simulated_s(), summary.wall_s, summary.ratio());
-  fmt::format_to(std::back_inserter(text), "contact     {:.3f} s ({:.3f} s stick, {:.3f} s slip)\n",
-                 seconds(summary, summary.contact_ticks), seconds(summary, summary.stick_ticks),
-                 seconds(summary, summary.slip_ticks));
+  if (summary.contact_ticks == 0) {
+    text += "contact     none: the tool touched nothing; a wish path leads it elsewhere (--path)\n";
+  } else {
+    fmt::format_to(std::back_inserter(text),
+                   "contact     {:.3f} s ({:.3f} s stick, {:.3f} s slip)\n",
+                   seconds(summary, summary.contact_ticks), seconds(summary, summary.stick_ticks),
+                   seconds(summary, summary.slip_ticks));
+  }
   fmt::format_to(std::back_inserter(text),
                  "force       up to {:.3f} N rendered, {:.3f} N commanded\n", summary.max_force_N,
                  summary.max_commanded_N);

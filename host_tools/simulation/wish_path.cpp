@@ -64,6 +64,12 @@ WishPath WishPath::there_and_back() const {
   return path;
 }
 
+WishPath WishPath::repeated() const {
+  WishPath path = *this;
+  path.repeats_ = waypoints_.size() > 1;
+  return path;
+}
+
 Vec3 WishPath::at(double time_s) {
   const double t_s = repeats_ && time_s > end_s() ? std::fmod(time_s, end_s()) : time_s;
   if (t_s <= waypoints_.front().t_s) {

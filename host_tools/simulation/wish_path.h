@@ -29,8 +29,10 @@ class WishPath {
   // Throws InputError if there is no waypoint, times do not rise, or a number is not finite.
   explicit WishPath(std::vector<Waypoint> waypoints);
 
-  // Returns the path that goes the same way, back again, and so on without end.
+  // Returns the path that goes forth, back again, and so on without end.
   [[nodiscard]] WishPath there_and_back() const;
+  // Returns the path that begins anew at its end, without end; it should end where it begins.
+  [[nodiscard]] WishPath repeated() const;
 
   // Returns the wished position at a time, m, world frame. The call is cheap if times rise from
   // call to call, and correct in any order.

@@ -38,6 +38,22 @@ TEST(Run, TheDefaultPathTouchesStrokesAndLeaves) {
   }
 }
 
+// The middle of a ring's box is its hole.
+TEST(Run, TheDefaultPathFindsARingAndGoesOnAsLongAsTheRun) {
+  const Solid ring(torus(0.03, 0.01, 64, 32), rendering::Sides::one, {.stiffness_N_per_m = 800.0});
+  for (const char* device : {"cartesian", "hapkit"}) {
+    const host::RunPlan plan =
+        host::plan_run({.devices = {device}, .seconds = 25.0}, {&ring.object(), 1}, kToolRadius_m);
+    host::Simulation simulation(plan.devices, {&ring.object(), 1}, kToolRadius_m);
+    std::uint64_t late_ticks = 0;
+    host::run(simulation, plan.seconds, 1000.0, [&](const host::Simulation& now) {
+      const firmware::TelemetryRecord& record = now.record();
+      late_ticks += record.time_s > 12.0 && record.contact != rendering::ContactKind::none ? 1 : 0;
+    });
+    EXPECT_GT(late_ticks, 5000U) << device;
+  }
+}
+
 // A pantograph stays on its plane, a paddle presses on the right side and does not stroke.
 TEST(Run, TheDefaultPathSuitsEveryMechanism) {
   for (const std::string_view device : firmware::kPresetNames) {

@@ -1,4 +1,4 @@
-// What is sent and taken by the Foxglove protocol, as its specification has it.
+// The messages of the Foxglove protocol that are sent and taken, as its specification has them.
 #include <gtest/gtest.h>
 
 #include <array>

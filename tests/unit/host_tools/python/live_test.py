@@ -1,5 +1,6 @@
 """A running controller, against what the program says of it and records."""
 
+import json
 import itertools
 import signal
 import socket
@@ -19,16 +20,11 @@ class LiveTest(FolderTest):
 
     def test_parameters_are_those_that_the_program_lists(self):
         with self.served(self.image) as run_dir, tactus.connect(run_dir) as controller:
-            listed = {}
-            for line in run_tactus("get", "--run-dir", run_dir).splitlines():
-                if line.startswith("parameter "):
-                    name, _, value = line.split()[1].partition("=")
-                    listed[name] = value
+            reply = json.loads(run_tactus("get", "--json", "--run-dir", run_dir))
+            listed = {parameter["name"]: parameter["value"] for parameter in reply["parameters"]}
             found = controller.get()
-            self.assertEqual(set(found), set(listed))
+            self.assertEqual(found, listed)
             for name, value in found.items():
-                self.assertEqual(value if isinstance(value, str) else f"{value:g}",
-                                 listed[name] if isinstance(value, str) else f"{float(listed[name]):g}", name)
                 self.assertEqual(controller.get(name), value)
 
     def test_a_changed_parameter_is_the_controller_s(self):

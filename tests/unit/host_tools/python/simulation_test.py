@@ -76,7 +76,7 @@ class SimulateTest(FolderTest):
     def test_what_cannot_be_simulated_is_told(self):
         scene = self.baked_floor()
         for kind, words, options in (
-            (tactus.Error, "--device nix: there are cartesian", {"device": "nix"}),
+            (tactus.Error, "--device: there is no 'nix'; there are cartesian", {"device": "nix"}),
             (tactus.Error, "--hand nix: there are finger, pen and firm", {"hand": "nix"}),
             (tactus.Error, "--fault nix", {"faults": ["nix"]}),
             (tactus.Error, "none.csv", {"path": "none.csv"}),

@@ -36,6 +36,19 @@ TEST(WishPath, FollowsADenselySampledLineWithoutStopping) {
   }
 }
 
+TEST(WishPath, ARepeatedPathBeginsAnewAtItsEnd) {
+  const WishPath path({{.t_s = 0.0, .p_W = {1.0, 0.0, 0.0}},
+                       {.t_s = 1.0, .p_W = {2.0, 0.0, 0.0}},
+                       {.t_s = 4.0, .p_W = {1.0, 0.0, 0.0}}});
+  WishPath once = path;
+  WishPath repeated = path.repeated();
+  for (const double t_s : {0.0, 0.5, 1.0, 2.5, 4.0}) {
+    EXPECT_EQ(repeated.at(t_s), once.at(t_s)) << t_s;
+    EXPECT_EQ(repeated.at(t_s + 8.0), once.at(t_s)) << t_s;
+  }
+  EXPECT_EQ(repeated.end_s(), 4.0);
+}
+
 TEST(WishPath, IsSmoothThroughItsWaypoints) {
   WishPath path({{.t_s = 0.0, .p_W = {0.0, 0.0, 0.0}},
                  {.t_s = 1.0, .p_W = {0.1, 0.1, 0.0}},
