@@ -2,10 +2,13 @@
 
 #include <arpa/inet.h>
 #include <fmt/format.h>
+#include <netinet/in.h>
+#include <sys/socket.h>
 
 #include <algorithm>
 #include <array>
 
+#include "hal/linux/system.h"
 #include "host_tools/input_error.h"
 
 namespace tactus::host {
@@ -20,13 +23,37 @@ constexpr lws_retry_bo_t patience() {
 }
 constexpr lws_retry_bo_t kClientPatience = patience();
 
-void check_address(const std::string& address) {
+in_addr parsed_address(const std::string& address) {
   in_addr any{};
   if (inet_pton(AF_INET, address.c_str(), &any) != 1) {
     throw InputError(fmt::format(
         "--address {}: that is no IPv4 address; 127.0.0.1 is this machine, 0.0.0.0 all of its "
         "networks",
         address));
+  }
+  return any;
+}
+
+[[noreturn]] void refuse_place(const FoxgloveServerOptions& options) {
+  throw InputError(
+      fmt::format("{}:{} cannot be used: another program has the port, or this machine has no "
+                  "such address; --port 0 finds a free one",
+                  options.address, options.port));
+}
+
+// Throws InputError if the address and the port cannot be had. The library would say so too, and
+// lose memory.
+void check_place(const FoxgloveServerOptions& options) {
+  const hal::FileDescriptor probe(::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0));
+  const int reuse = 1;
+  ::setsockopt(probe.get(), SOL_SOCKET, SO_REUSEADDR, &reuse, sizeof reuse);
+  sockaddr_in place{};
+  place.sin_family = AF_INET;
+  place.sin_addr = parsed_address(options.address);
+  place.sin_port = htons(options.port);
+  // NOLINTNEXTLINE(cppcoreguidelines-pro-type-reinterpret-cast): the sockets' interface
+  if (::bind(probe.get(), reinterpret_cast<const sockaddr*>(&place), sizeof place) != 0) {
+    refuse_place(options);
   }
 }
 
@@ -40,7 +67,7 @@ WebSocketContext listen_for_clients(const FoxgloveServerOptions& options,
   constexpr unsigned kHandshake_s = 5;
   // The library would report what it does on stderr.
   lws_set_log_level(0, nullptr);
-  check_address(options.address);
+  check_place(options);
   lws_context_creation_info info{};
   info.port = options.port;
   info.iface = options.address.c_str();
@@ -52,10 +79,7 @@ WebSocketContext listen_for_clients(const FoxgloveServerOptions& options,
   info.options = LWS_SERVER_OPTION_FAIL_UPON_UNABLE_TO_BIND | LWS_SERVER_OPTION_DISABLE_IPV6;
   WebSocketContext context(lws_create_context(&info));
   if (context == nullptr) {
-    throw InputError(
-        fmt::format("{}:{} cannot be used: another program has the port, or this machine has no "
-                    "such address; --port 0 finds a free one",
-                    options.address, options.port));
+    refuse_place(options);
   }
   return context;
 }
