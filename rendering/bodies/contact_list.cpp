@@ -10,7 +10,8 @@ void ContactList::clear() {
 }
 
 void ContactList::begin_tick() {
-  std::ranges::transform(all(), before_.begin(), past_of);
+  std::ranges::transform(all(), before_.begin(),
+                         [](const BodyContact& contact) { return past_of(contact); });
   before_count_ = count_;
   clear();
 }

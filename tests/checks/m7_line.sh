@@ -103,7 +103,7 @@ check "the recording replays from tick 0 with equal hashes" replays
 check "the board's lines of text pass by" grep -qE '^tick [0-9]+000 hash [0-9a-f]{16} ' "$work/texts"
 
 check "status" says '^ok status tick=[0-9]+ mode=active faults=none' "$on_board" status
-check "get lists the objects by name" says 'object\.0\.stiffness_N_per_m=600.* object=dimpled ball' "$on_board" get
+check "get lists the objects by name" says 'object\.0\.stiffness_N_per_m +600 .*\(dimpled ball\)' "$on_board" get
 check "get reads what set has set" says 'max_force_N=4' "$on_board" get max_force_N
 check "a value out of its range is refused with 1" ends_with 1 'out of its range' "$on_board" set max_force_N 1000
 check "a scene is refused with 1" ends_with 1 "part of its program" "$on_board" scene "$work/other.tactus"
