@@ -1,5 +1,5 @@
 # cmake --build build/release --target uninstall: removes the files of the last `cmake --install` of this build, and the folders of theirs
-# that are empty then. What else lies there stays. What was installed with DESTDIR is removed with the same DESTDIR.
+# that are empty then. What else lies there stays, and so does the configuration in etc/tactus. What was installed with DESTDIR is removed with the same DESTDIR.
 file(GLOB manifests "${BUILD_DIR}/install_manifest*.txt")
 if(NOT manifests)
   message(FATAL_ERROR "Nothing has been installed from ${BUILD_DIR}: it has no install_manifest.txt")
