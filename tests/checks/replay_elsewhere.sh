@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Runs recorded on this machine replay to the same hashes here, and on 64-bit Arm and RISC-V through qemu-user, where tactusd starts, too.
+# Runs recorded on this machine replay to the same hashes here, and on 64-bit Arm and RISC-V through qemu-user.
 set -euo pipefail
 here="$(dirname "${BASH_SOURCE[0]}")"
 work="$(mktemp -d)"
@@ -7,7 +7,7 @@ trap 'rm -rf "$work"' EXIT
 
 "$here/build.sh" release tactus
 "$here/build.sh" aarch64 replay_recording
-"$here/build.sh" riscv64 replay_recording tactusd
+"$here/build.sh" riscv64 replay_recording
 
 # record SCENE DEVICE: ten seconds with a fault in them, out of which the hand finds back.
 record() {
@@ -36,6 +36,3 @@ code=0
 build/release/bin/tactus replay "$work/ramp.falcon.mcap" --scene "$work/other.tactus" 2>"$work/refused" || code=$?
 [[ $code -eq 2 ]]
 grep -q 'another image' "$work/refused"
-
-# Debian 12 has no libraries for USB and GPIO on RISC-V; the controller for CAN and serial ports starts there without them.
-qemu-riscv64-static -L /usr/riscv64-linux-gnu build/riscv64/bin/tactusd --version | grep '^tactusd .*: CAN, serial ports, no USB '
