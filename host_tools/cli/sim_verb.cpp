@@ -20,6 +20,7 @@
 #include "host_tools/remote/remote.h"
 #include "host_tools/simulation/named_device.h"
 #include "host_tools/simulation/run.h"
+#include "host_tools/simulation/wish_path_file.h"
 
 namespace tactus::host {
 namespace {
@@ -67,7 +68,7 @@ struct SimOptions {
   RunOptions run;
 };
 
-// The exit code of a run along its own path in which nothing was touched.
+// The exit code of a run along the whole of its own path in which nothing was touched.
 constexpr int kNothingTouched = 3;
 
 // Throws InputError if an output is an input or another output, if several devices would share a
@@ -121,7 +122,8 @@ void run_sim(const SimOptions& options) {
   print(options, summaries);
   const bool is_untouched =
       std::ranges::all_of(summaries, [](const RunSummary& s) { return s.contact_ticks == 0; });
-  if (options.run.paths.empty() && is_untouched) {
+  const bool is_whole = options.run.seconds.value_or(kOwnPath_s) >= kOwnPath_s;
+  if (options.run.paths.empty() && is_whole && is_untouched) {
     throw CLI::RuntimeError(kNothingTouched);
   }
 }

@@ -91,7 +91,8 @@ WishPath sideways_wish_path(std::span<const rendering::Object> objects, double t
   };
   return WishPath({at(0.0, kClear_m), at(0.8, kClear_m), at(2.0, kTouching_m), at(3.0, -press_m),
                    at(4.0, -press_m), at(5.0, kTouching_m), at(6.0, -press_m), at(6.5, kTouching_m),
-                   at(7.0, -press_m), at(8.5, -press_m), at(9.2, kClear_m), at(10.0, kClear_m)});
+                   at(7.0, -press_m), at(8.5, -press_m), at(9.2, kClear_m),
+                   at(kOwnPath_s, kClear_m)});
 }
 
 WishPath read_wish_path(const std::filesystem::path& file) {
@@ -142,7 +143,7 @@ WishPath default_wish_path(std::span<const rendering::Object> objects, double to
     waypoints.push_back({.t_s = t_s, .p_W = pressed(station)});
   }
   waypoints.push_back({.t_s = 9.2, .p_W = start_W});
-  waypoints.push_back({.t_s = 10.0, .p_W = start_W});
+  waypoints.push_back({.t_s = kOwnPath_s, .p_W = start_W});
   return WishPath(std::move(waypoints));
 }
 

@@ -14,6 +14,9 @@ namespace tactus::host {
 // one line that names file, line and column.
 WishPath read_wish_path(const std::filesystem::path& file);
 
+// The length of a path that is made from the scene, s.
+inline constexpr double kOwnPath_s = 10.0;
+
 // Returns a path of ten seconds made from the scene's meshes: the hand waits in front of the scene
 // (toward the user) while the device homes, approaches, presses on the front, strokes to both sides
 // as far as the front goes on, leaves and waits. `press_m` is how far the wish lies below the
