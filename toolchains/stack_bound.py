@@ -146,7 +146,7 @@ def table_targets(body, place):
     return [body[place].address + 4 + 2 * entry for entry in entries]
 
 
-def follow(function, place, depth):
+def follow(function, places, place, depth):
     """Notes the calls of an instruction, and returns the addresses that may follow in the function."""
     body = function.body
     step = body[place]
@@ -160,7 +160,7 @@ def follow(function, place, depth):
         return following
     if name in ("cbz", "cbnz") or re.fullmatch(f"b({CONDITIONS})?", name):
         target = step.target()
-        inside = any(other.address == target for other in body)
+        inside = target in places
         if not inside:
             function.tail_calls[target] = max(depth, function.tail_calls.get(target, 0))
         return ([target] if inside else []) + ([] if name == "b" else following)
@@ -193,7 +193,7 @@ def measure(function):
         if after > 1 << 20:
             raise Unbounded(f"{function.title}: the stack grows in a loop")
         function.frame = max(function.frame, after)
-        waiting += [(target, after) for target in follow(function, place, after)]
+        waiting += [(target, after) for target in follow(function, places, place, after)]
 
 
 def taken_addresses(program, tools, functions):

@@ -4,21 +4,15 @@
 
 #include "host_tools/input_error.h"
 #include "host_tools/remote/remote.h"
+#include "host_tools/remote/reply_fields.h"
 
 namespace tactus::host {
 namespace {
 
-// Returns the file of the scene in a reply to `status`; empty if there is none. It is the last
-// field, because a path may have blanks.
+// Returns the file of the scene in a reply to `status`; empty if there is none.
 std::string scene_file_in(const std::string& reply) {
-  constexpr std::string_view kKey = " scene=";
-  constexpr std::string_view kNone = "none";
-  const std::size_t at = reply.find(kKey);
-  if (at == std::string::npos) {
-    return {};
-  }
-  std::string file = reply.substr(at + kKey.size());
-  return file == kNone ? std::string{} : file;
+  const std::string file = field_of(reply, "scene").value_or("");
+  return file == "none" ? std::string{} : file;
 }
 
 }  // namespace

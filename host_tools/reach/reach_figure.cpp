@@ -117,8 +117,7 @@ std::string panel_script(const ReachPanel& panel, const SampledCut& sampled) {
       "1:2 "
       "with lines linewidth 1.6 dashtype 2 linecolor \"#111111\" notitle, $origin{0} "
       "using 1:2 with points pointtype 7 pointsize 1.9 linecolor \"#ffffff\" notitle, $origin{0} "
-      "using 1:2 with points pointtype 7 pointsize 1.2 linecolor \"#d0421b\" title \"origin of "
-      "scenes\"",
+      "using 1:2 with points pointtype 7 pointsize 1.2 linecolor \"#d0421b\" notitle",
       panel.row);
   if (panel.has_objects) {
     items += fmt::format(

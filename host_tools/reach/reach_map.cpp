@@ -43,10 +43,8 @@ ReachMap::ReachMap(const firmware::DeviceConfig& config)
 std::optional<ReachPoint> ReachMap::at(const Vec3& p_B) const {
   const PlantMechanism& plant = device_.device.plant.mechanism;
   const Vec3 on_B = on_manifold(plant, p_B);
-  const auto pose = controller_pose(config_->controller, plant, on_B);
-  constexpr double kSeenRight_m = 1e-4;
-  const bool is_seen = pose && (pose->p_D - on_B).norm() < kSeenRight_m;
-  if (!is_seen) {
+  const auto pose = rightly_seen_pose(config_->controller, plant, on_B);
+  if (!pose) {
     return std::nullopt;
   }
   MechanismPose solved;

@@ -12,6 +12,7 @@
 #include <cerrno>
 #include <charconv>
 #include <cstring>
+#include <optional>
 #include <span>
 #include <system_error>
 #include <utility>
@@ -90,16 +91,6 @@ std::string list_names(const std::filesystem::path& names) {
 }
 
 }  // namespace
-
-std::optional<std::string> field_of(std::string_view line, std::string_view name) {
-  const std::string key = fmt::format(" {}=", name);
-  const std::size_t at = line.find(key);
-  if (at == std::string_view::npos) {
-    return std::nullopt;
-  }
-  const std::string_view value = line.substr(at + key.size());
-  return std::string(value.substr(0, value.find(' ')));
-}
 
 std::filesystem::path run_folder_of(const std::filesystem::path& run_dir, std::size_t device) {
   return device == 1 ? run_dir : run_dir / std::to_string(device);

@@ -7,7 +7,6 @@
 #include <chrono>
 #include <cstddef>
 #include <filesystem>
-#include <optional>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -50,10 +49,6 @@ struct Reply {
   // The lines before the last one; only `list` has any.
   std::vector<std::string> lines;
 };
-
-// Returns the value of " name=value" in a line, up to the next blank; nothing if the line has no
-// such field.
-std::optional<std::string> field_of(std::string_view line, std::string_view name);
 
 // A connection to one controller's command socket.
 class Remote {

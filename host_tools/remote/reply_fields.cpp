@@ -62,7 +62,8 @@ Json number_or_text(const std::string& text) {
   if (error != std::errc{} || rest != end) {
     return text;
   }
-  return Json::parse(text, nullptr, false).is_number() ? Json::parse(text) : Json(number);
+  const Json parsed = Json::parse(text, nullptr, false);
+  return parsed.is_number() ? parsed : Json(number);
 }
 
 Json value_of(const ReplyField& field) {
@@ -126,6 +127,12 @@ std::vector<ReplyField> fields_of(std::string_view line) {
     begin = end + 1;
   }
   return fields;
+}
+
+std::optional<std::string> field_of(std::string_view line, std::string_view name) {
+  const std::vector<ReplyField> fields = fields_of(line);
+  const auto found = std::ranges::find(fields, name, &ReplyField::name);
+  return found == fields.end() ? std::nullopt : std::optional(found->value);
 }
 
 Json json_of(const Reply& reply) {

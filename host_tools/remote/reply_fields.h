@@ -3,6 +3,7 @@
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -20,6 +21,8 @@ struct ReplyField {
 // Returns the fields of a line in their order. A value in quotation marks may have blanks; a
 // file, or the name of an object, reaches to the end of the line.
 std::vector<ReplyField> fields_of(std::string_view line);
+// Returns the value of the field of that name; nothing if the line has none.
+std::optional<std::string> field_of(std::string_view line, std::string_view name);
 
 // Returns a reply as an object: "ok", "command", and its fields, numbers as numbers. A parameter
 // has "name", "value", its range or its choices; "parameters" are those of a list. "faults" are a

@@ -11,8 +11,6 @@ namespace {
 // The distance from the joints' limits to the stops, rad or m: a stop gives way a little.
 constexpr double kLimitMargin = 0.02;
 constexpr double kSlideMargin_m = 0.002;
-// A place is seen right if the controller believes it to be this near.
-constexpr double kSeenRight_m = 1e-4;
 
 // The search for a box: everything that stays the same in it.
 struct BoxSearch {
@@ -22,9 +20,8 @@ struct BoxSearch {
   Vec3 half_m = Vec3::Zero();
 
   [[nodiscard]] bool is_inside(const Vec3& p_B) const {
-    const Vec3 on_B = on_manifold(*mechanism, p_B);
-    const auto seen = controller_pose(*config, *mechanism, on_B, kLimitMargin);
-    return seen && (seen->p_D - on_B).norm() < kSeenRight_m;
+    return rightly_seen_pose(*config, *mechanism, on_manifold(*mechanism, p_B), kLimitMargin)
+        .has_value();
   }
 
   // Returns true if a box of this scale is inside: its corners and the middles of its edges and
@@ -114,6 +111,14 @@ std::optional<firmware::Pose> controller_pose(const firmware::ControllerConfig& 
   }
   const firmware::Pose seen = firmware::Mechanism(config.mechanism).forward(joints, p_B);
   return pose.reachable && seen.status == firmware::kPoseGood ? std::optional(seen) : std::nullopt;
+}
+
+std::optional<firmware::Pose> rightly_seen_pose(const firmware::ControllerConfig& config,
+                                                const PlantMechanism& mechanism, const Vec3& p_B,
+                                                double margin) {
+  constexpr double kSeenRight_m = 1e-4;
+  const auto seen = controller_pose(config, mechanism, p_B, margin);
+  return seen && (seen->p_D - p_B).norm() < kSeenRight_m ? seen : std::nullopt;
 }
 
 std::optional<DeviceWorkspace> find_workspace(const firmware::ControllerConfig& config,

@@ -24,6 +24,11 @@ std::optional<firmware::Pose> controller_pose(const firmware::ControllerConfig& 
                                               const PlantMechanism& mechanism, const Vec3& p_B,
                                               double margin = 0.0);
 
+// Returns the same, and nothing where the controller sees the handle elsewhere than it is.
+std::optional<firmware::Pose> rightly_seen_pose(const firmware::ControllerConfig& config,
+                                                const PlantMechanism& mechanism, const Vec3& p_B,
+                                                double margin = 0.0);
+
 // Returns a box within the limits of the controller's joints, in which the controller sees the
 // handle where it is. It has the middle and the shape of `like`, which is the workspace of a device
 // of the same kind, scaled to these lengths, if there is room for half of that; else it lies where

@@ -101,7 +101,7 @@ std::optional<std::size_t> SideMap::run_about(std::size_t column, std::size_t ro
 }
 
 std::optional<Vec3> broadest_place(std::span<const rendering::Object> objects, SeenFrom side,
-                                   const SceneBox& box) {
+                                   const rendering::Bounds& box) {
   constexpr std::size_t kRays = 65;
   const Vec3 lower = seen(side, box.lower_W);
   const Vec3 upper = seen(side, box.upper_W);

@@ -16,13 +16,8 @@ namespace tactus::host {
 // and y.
 enum class SeenFrom { front, right };
 
-// The corners of a box, world frame, m.
-struct SceneBox {
-  Vec3 lower_W = Vec3::Zero();
-  Vec3 upper_W = Vec3::Zero();
-};
-
-// How far the scene reaches at each ray of a grid, m; nothing where a ray meets no triangle.
+// A map of how far the scene reaches at each ray of a grid, m; nothing where a ray meets no
+// triangle.
 class SideMap {
  public:
   // Meets the drawn triangles of all objects, each with the rays that its box covers. Rays stand at
@@ -52,6 +47,6 @@ class SideMap {
 // several the one nearest to the middle of the scene's box; nothing if no ray meets anything. World
 // frame, m.
 std::optional<Vec3> broadest_place(std::span<const rendering::Object> objects, SeenFrom side,
-                                   const SceneBox& box);
+                                   const rendering::Bounds& box);
 
 }  // namespace tactus::host

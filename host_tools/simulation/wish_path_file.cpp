@@ -21,9 +21,9 @@ namespace {
 constexpr std::array<std::string_view, 4> kColumns = {"t_s", "x_m", "y_m", "z_m"};
 
 // Returns the box around the drawn triangles of the scene.
-SceneBox bounds(std::span<const rendering::Object> objects) {
-  SceneBox box{.lower_W = Vec3::Constant(std::numeric_limits<double>::infinity()),
-               .upper_W = Vec3::Constant(-std::numeric_limits<double>::infinity())};
+rendering::Bounds bounds(std::span<const rendering::Object> objects) {
+  rendering::Bounds box{.lower_W = Vec3::Constant(std::numeric_limits<double>::infinity()),
+                        .upper_W = Vec3::Constant(-std::numeric_limits<double>::infinity())};
   for (const rendering::Object& object : objects) {
     for (const rendering::Float3& vertex : object.mesh.vertices) {
       box.lower_W = box.lower_W.cwiseMin(rendering::to_vec3(vertex));
@@ -35,7 +35,8 @@ SceneBox bounds(std::span<const rendering::Object> objects) {
 
 // Returns the place on a side of the scene where a path without a file goes: in the middle of the
 // scene's box, or, where nothing is there, in the middle of its broadest part.
-Vec3 touched_place(std::span<const rendering::Object> objects, SeenFrom side, const SceneBox& box) {
+Vec3 touched_place(std::span<const rendering::Object> objects, SeenFrom side,
+                   const rendering::Bounds& box) {
   Vec3 place_W = 0.5 * (box.lower_W + box.upper_W);
   double& across_m = side == SeenFrom::front ? place_W.x() : place_W.z();
   double& reach_m = side == SeenFrom::front ? place_W.z() : place_W.x();
@@ -117,7 +118,7 @@ WishPath default_wish_path(std::span<const rendering::Object> objects, double to
   constexpr double kClear_m = 0.03;
   constexpr double kPressed_s = 3.0;
   constexpr double kStroke_s = 5.0;
-  const SceneBox box = bounds(objects);
+  const rendering::Bounds box = bounds(objects);
   const Vec3 middle_W = touched_place(objects, SeenFrom::front, box);
   const double half_stroke_m = std::min(0.25 * (box.upper_W.x() - box.lower_W.x()), reach_m);
   const Stations stations = find_stations(objects, middle_W, half_stroke_m);

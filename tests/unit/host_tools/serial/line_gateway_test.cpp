@@ -18,6 +18,7 @@
 #include "host_tools/recording/live_reader.h"
 #include "host_tools/recording/recording.h"
 #include "host_tools/remote/remote.h"
+#include "host_tools/remote/reply_fields.h"
 #include "host_tools/replay/replay.h"
 #include "host_tools/serial/line_session.h"
 #include "tests/support/folder_test.h"

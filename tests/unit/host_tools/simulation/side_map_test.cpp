@@ -13,7 +13,6 @@ namespace tactus::testing {
 namespace {
 
 using host::broadest_place;
-using host::SceneBox;
 using host::SeenFrom;
 using host::SideMap;
 
@@ -68,7 +67,7 @@ TEST(BroadestPlace, OfARingLiesOnTheRing) {
   const Solid ring(torus(kRing_m, kTube_m, 64, 32), rendering::Sides::one, {});
   const Vec3 reach(kRing_m + kTube_m, kRing_m + kTube_m, kTube_m);
   const auto place = broadest_place({&ring.object(), 1}, SeenFrom::front,
-                                    SceneBox{.lower_W = -reach, .upper_W = reach});
+                                    rendering::Bounds{.lower_W = -reach, .upper_W = reach});
   ASSERT_TRUE(place);
   // The point is on the torus: a tube of kTube_m about the ring.
   const double out_m = place->head<2>().norm() - kRing_m;
@@ -80,15 +79,15 @@ TEST(BroadestPlace, OfTwoBallsIsTheFrontOfTheLargerOne) {
   const Solid small(moved(icosphere(0.02, 4), {-0.06, 0.0, 0.0}), rendering::Sides::one, {});
   const Solid large(moved(icosphere(0.04, 4), {0.06, 0.0, 0.0}), rendering::Sides::one, {});
   const std::array objects{small.object(), large.object()};
-  const auto place =
-      broadest_place(objects, SeenFrom::front,
-                     SceneBox{.lower_W = {-0.08, -0.04, -0.04}, .upper_W = {0.1, 0.04, 0.04}});
+  const auto place = broadest_place(
+      objects, SeenFrom::front,
+      rendering::Bounds{.lower_W = {-0.08, -0.04, -0.04}, .upper_W = {0.1, 0.04, 0.04}});
   ASSERT_TRUE(place);
   EXPECT_LT((*place - Vec3(0.06, 0.0, 0.04)).norm(), 0.004);
 }
 
 TEST(BroadestPlace, OfNothingIsNowhere) {
-  EXPECT_FALSE(broadest_place({}, SeenFrom::front, SceneBox{.upper_W = Vec3::Ones()}));
+  EXPECT_FALSE(broadest_place({}, SeenFrom::front, rendering::Bounds{.upper_W = Vec3::Ones()}));
 }
 
 }  // namespace

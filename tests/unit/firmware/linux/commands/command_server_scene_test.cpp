@@ -5,6 +5,7 @@
 #include <string>
 
 #include "host_tools/remote/remote.h"
+#include "host_tools/remote/reply_fields.h"
 #include "rendering/limits.h"
 #include "tests/unit/firmware/linux/commands/command_server_rig.h"
 #include "tests/unit/rendering/scene/small_scene.h"

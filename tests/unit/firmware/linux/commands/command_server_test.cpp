@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "host_tools/remote/remote.h"
+#include "host_tools/remote/reply_fields.h"
 #include "tests/unit/firmware/linux/commands/command_server_rig.h"
 
 namespace tactus::firmware {

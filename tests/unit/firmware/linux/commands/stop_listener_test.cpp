@@ -24,6 +24,7 @@
 #include "firmware/linux/commands/command_server.h"
 #include "hal/linux/system.h"
 #include "host_tools/remote/remote.h"
+#include "host_tools/remote/reply_fields.h"
 #include "tests/unit/rendering/scene/small_scene.h"
 
 namespace tactus::firmware {

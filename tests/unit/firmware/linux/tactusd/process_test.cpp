@@ -17,6 +17,7 @@
 
 #include "firmware/linux/realtime/end_signals.h"
 #include "host_tools/remote/remote.h"
+#include "host_tools/remote/reply_fields.h"
 #include "tests/unit/firmware/linux/tactusd/tactusd_bench.h"
 
 namespace tactus::firmware {

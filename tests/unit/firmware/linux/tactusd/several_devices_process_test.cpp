@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "host_tools/remote/remote.h"
+#include "host_tools/remote/reply_fields.h"
 #include "tests/support/run_program.h"
 #include "tests/unit/firmware/linux/tactusd/tactusd_bench.h"
 
